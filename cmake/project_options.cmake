@@ -1,0 +1,12 @@
+# What every target of the project is compiled with.
+add_library(wetdeck_options INTERFACE)
+target_compile_features(wetdeck_options INTERFACE cxx_std_20)
+target_compile_options(wetdeck_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Werror)
+
+set(WETDECK_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
+if(WETDECK_SANITIZE)
+  target_compile_options(wetdeck_options INTERFACE -fsanitize=${WETDECK_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(wetdeck_options INTERFACE -fsanitize=${WETDECK_SANITIZE})
+endif()

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of a figure that do not depend on who draws it.
+#include "reports/figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wetdeck::report {
+namespace {
+
+/// A field of a CSV file: quoted where it must be.
+std::string csv_field(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20; }, ' ');
+    if (text.find_first_of(",\"#") == std::string::npos) return text;
+    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) text.insert(at, 1, '"');
+    return '"' + text + '"';
+}
+
+class Range {
+  public:
+    explicit Range(bool logarithmic) : logarithmic_(logarithmic) {}
+    void take(const std::vector<double>& values) {
+        for (const double value : values) {
+            if (!std::isfinite(value) || (logarithmic_ && value <= 0)) continue;
+            low_ = std::min(low_, value);
+            high_ = std::max(high_, value);
+        }
+    }
+    /// `margin` is a fraction of the range, of the decades on a logarithmic axis.
+    Window with_margin(double margin) const {
+        if (low_ > high_) return logarithmic_ ? Window{0.1, 1} : Window{0, 1};
+        if (logarithmic_) {
+            const double factor = std::pow(std::max(high_ / low_, 2.0), 2 * margin);
+            return {low_ / factor, high_ * factor};
+        }
+        const double level = std::max(std::abs(low_), std::abs(high_));
+        const double span = high_ > low_ ? high_ - low_ : (level > 0 ? 0.2 * level : 1.0);
+        return {low_ - margin * span, high_ + margin * span};
+    }
+
+  private:
+    bool logarithmic_;
+    double low_ = std::numeric_limits<double>::infinity();
+    double high_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+std::string axis_title(const Axis& axis) {
+    if (axis.unit.empty() || axis.label.find('[') != std::string::npos) return axis.label;
+    return axis.label + " [" + axis.unit + "]";
+}
+
+std::vector<std::size_t> drawn_samples(const Figure& figure, const PlotSeries& series) {
+    const auto drawable = [](double value, const Axis& axis) {
+        return std::isfinite(value) && (!axis.logarithmic || value > 0);
+    };
+    const Curve& curve = series.data;
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (drawable(curve.x[i], figure.x) && drawable(curve.y[i], figure.y)) all.push_back(i);
+    }
+    const bool markers = series.style == Style::points || series.style == Style::line_and_points;
+    const std::size_t stretches = markers ? 80 : 600;
+    if (all.size() <= 2 * stretches) return all;
+
+    std::vector<std::size_t> kept;
+    const auto lower = [&](std::size_t a, std::size_t b) { return curve.y[a] < curve.y[b]; };
+    for (std::size_t s = 0; s < stretches; ++s) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(s * all.size() / stretches);
+        const auto end = all.begin() + static_cast<std::ptrdiff_t>((s + 1) * all.size() / stretches);
+        const auto [low, high] = std::minmax_element(begin, end, lower);
+        kept.push_back(*std::min(low, high));
+        if (low != high) kept.push_back(*std::max(low, high));
+    }
+    return kept;
+}
+
+std::string figure_csv(const Figure& figure) {
+    const bool edges = std::any_of(figure.series.begin(), figure.series.end(),
+                                   [](const PlotSeries& s) { return !s.low.empty(); });
+    const bool labels = std::any_of(figure.series.begin(), figure.series.end(),
+                                    [](const PlotSeries& s) { return !s.point_labels.empty(); });
+    const std::string y_title = axis_title(figure.y);
+    std::string out = "series," + csv_field(axis_title(figure.x)) + "," + csv_field(y_title);
+    if (edges) out += "," + csv_field("low: " + y_title) + "," + csv_field("high: " + y_title);
+    if (labels) out += ",point";
+    out += "\n";
+    for (const PlotSeries& s : figure.series) {
+        const std::string name = csv_field(s.label);
+        for (std::size_t i = 0; i < s.data.x.size(); ++i) {
+            out += fmt::format("{},{:.9g},{:.9g}", name, s.data.x[i], s.data.y[i]);
+            if (edges) out += s.low.empty() ? ",," : fmt::format(",{:.9g},{:.9g}", s.low[i], s.high[i]);
+            if (labels) out += "," + (s.point_labels.empty() ? "" : csv_field(s.point_labels[i]));
+            out += "\n";
+        }
+    }
+    return out;
+}
+
+Window data_range(const Figure& figure, bool of_x) {
+    const Axis& axis = of_x ? figure.x : figure.y;
+    if (axis.range) return *axis.range;
+    Range range(axis.logarithmic);
+    for (const PlotSeries& s : figure.series) {
+        range.take(of_x ? s.data.x : s.data.y);
+        if (!of_x) {
+            range.take(s.low);
+            range.take(s.high);
+        }
+    }
+    const double margin = of_x && !axis.logarithmic ? 0.02 : 0.06;
+    return range.with_margin(margin);
+}
+
+}  // namespace wetdeck::report

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A figure as plain data, and its three renderings: SVG by gnuplot, JSON for plotly.js, CSV.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "validation/metrics/curve.hpp"
+#include "validation/metrics/specification.hpp"
+
+namespace wetdeck::report {
+
+struct Axis {
+    std::string label;
+    std::string unit;  ///< "-" for no dimension; empty if the label holds it
+    bool logarithmic = false;
+    std::optional<Window> range;  ///< found from the data if absent
+};
+
+enum class Style { solid, dashed, points, line_and_points, band };
+
+struct PlotSeries {
+    std::string label;  ///< empty: not in the legend
+    Style style = Style::solid;
+    Curve data;                ///< for a band: x and the middle
+    std::vector<double> low;   ///< error bars of points, edges of a band; same length as data, or empty
+    std::vector<double> high;
+    std::string colour = "#08519c";  ///< #rrggbb
+    double width = 1.8;              ///< of a line [px]
+    double point_size = 6;           ///< diameter [px]
+    bool filled = true;              ///< points
+    std::vector<std::string> point_labels;  ///< beside the points; same length as data, or empty
+};
+
+struct Figure {
+    std::string name;  ///< stem of its files: lower-case letters, digits, hyphens
+    std::string title;
+    std::string caption;  ///< what is shown, under which revision, and the error of the plotted quantity
+    Axis x;
+    Axis y;
+    std::vector<PlotSeries> series;
+    std::optional<Window> shaded;  ///< interval of x where the metrics are taken
+};
+
+/// "label [unit]"; a label with brackets of its own stays as it is.
+std::string axis_title(const Axis& axis);
+
+/// Indices of the samples that are drawn: the lowest and highest of equal stretches, so that no peak is lost.
+/// Samples that are not finite, or not positive on a logarithmic axis, are left out.
+std::vector<std::size_t> drawn_samples(const Figure& figure, const PlotSeries& series);
+
+/// Every sample: one row each, the header with units.
+std::string figure_csv(const Figure& figure);
+
+/// Commands and data for gnuplot; drawing goes to `output`.
+std::string gnuplot_script(const Figure& figure, const std::filesystem::path& output);
+
+/// True if a program of that name is on the PATH.
+bool gnuplot_found();
+
+/// Draws `figure` to an SVG file, which appears whole or not at all. Throws EnvironmentError with gnuplot's
+/// own words if it fails.
+void write_svg(const Figure& figure, const std::filesystem::path& path);
+
+/// {"data": [...], "layout": {...}} for Plotly.newPlot.
+nlohmann::json plotly_figure(const Figure& figure);
+
+/// Axis range with a margin around all finite data; on a logarithmic axis only of the positive. [0, 1] if none.
+Window data_range(const Figure& figure, bool of_x);
+
+}  // namespace wetdeck::report

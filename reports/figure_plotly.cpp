@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A figure as data and layout for plotly.js.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/figure.hpp"
+#include "reports/html.hpp"
+
+namespace wetdeck::report {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Six significant digits keep the page small and are more than a screen shows.
+double rounded(double value) {
+    if (value == 0 || !std::isfinite(value)) return 0;
+    const double scale = std::pow(10.0, 5 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    return std::isfinite(scale) ? std::round(value * scale) / scale : value;
+}
+
+Json picked(const std::vector<double>& values, const std::vector<std::size_t>& indices) {
+    Json out = Json::array();
+    for (const std::size_t i : indices) out.push_back(rounded(values[i]));
+    return out;
+}
+
+Json axis_layout(const Axis& axis, const Window& range) {
+    Json out = {{"title", {{"text", escape(axis_title(axis))}, {"standoff", 8}}},
+                {"gridcolor", "#e3e6ea"},
+                {"linecolor", "#444444"},
+                {"showline", true},
+                {"zeroline", false},
+                {"ticks", "outside"},
+                {"automargin", true}};
+    if (axis.logarithmic) {
+        out["type"] = "log";
+        out["exponentformat"] = "power";
+        out["range"] = {rounded(std::log10(range.begin)), rounded(std::log10(range.end))};
+    } else {
+        out["range"] = {rounded(range.begin), rounded(range.end)};
+    }
+    return out;
+}
+
+/// Both edges as one closed outline.
+Json band_trace(const PlotSeries& s, const std::vector<std::size_t>& indices) {
+    Json x = picked(s.data.x, indices);
+    Json y = picked(s.high, indices);
+    for (auto i = indices.rbegin(); i != indices.rend(); ++i) {
+        x.push_back(rounded(s.data.x[*i]));
+        y.push_back(rounded(s.low[*i]));
+    }
+    return {{"x", x},           {"y", y},
+            {"mode", "lines"},  {"line", {{"width", 0}}},
+            {"fill", "toself"}, {"fillcolor", s.colour + "2e"},
+            {"hoverinfo", "skip"}};
+}
+
+Json error_bars(const PlotSeries& s, const std::vector<std::size_t>& indices) {
+    Json above = Json::array();
+    Json below = Json::array();
+    for (const std::size_t i : indices) {
+        above.push_back(rounded(s.high[i] - s.data.y[i]));
+        below.push_back(rounded(s.data.y[i] - s.low[i]));
+    }
+    return {{"type", "data"},         {"array", above},    {"arrayminus", below},
+            {"color", s.colour}, {"thickness", 0.8}, {"width", 3}};
+}
+
+Json curve_trace(const PlotSeries& s, const std::vector<std::size_t>& indices) {
+    const bool markers = s.style == Style::points || s.style == Style::line_and_points;
+    const bool lines = s.style != Style::points;
+    std::string mode = lines ? "lines" : "";
+    if (markers) mode += mode.empty() ? "markers" : "+markers";
+    Json out = {{"x", picked(s.data.x, indices)}, {"y", picked(s.data.y, indices)}};
+    if (lines) {
+        out["line"] = {{"color", s.colour}, {"width", s.width}};
+        if (s.style == Style::dashed) out["line"]["dash"] = "dash";
+    }
+    if (markers) {
+        out["marker"] = {{"color", s.colour}, {"size", s.point_size}, {"symbol", s.filled ? "circle" : "circle-open"}};
+    }
+    if (!s.point_labels.empty()) {
+        mode += "+text";
+        for (const std::size_t i : indices) out["text"].push_back(escape(s.point_labels[i]));
+        out["textposition"] = "top right";
+        out["textfont"] = {{"size", 11}, {"color", s.colour}};
+        out["cliponaxis"] = false;
+    }
+    if (!s.low.empty()) out["error_y"] = error_bars(s, indices);
+    out["mode"] = mode;
+    return out;
+}
+
+}  // namespace
+
+nlohmann::json plotly_figure(const Figure& figure) {
+    Json data = Json::array();
+    for (const PlotSeries& s : figure.series) {
+        const std::vector<std::size_t> indices = drawn_samples(figure, s);
+        if (indices.empty()) continue;
+        Json trace = s.style == Style::band ? band_trace(s, indices) : curve_trace(s, indices);
+        trace["type"] = "scatter";
+        trace["name"] = escape(s.label);
+        trace["showlegend"] = !s.label.empty();
+        data.push_back(std::move(trace));
+    }
+    Json layout = {{"xaxis", axis_layout(figure.x, data_range(figure, true))},
+                   {"yaxis", axis_layout(figure.y, data_range(figure, false))}};
+    if (figure.shaded) {
+        layout["shapes"] = Json::array({{{"type", "rect"},
+                                         {"xref", "x"},
+                                         {"yref", "paper"},
+                                         {"x0", rounded(figure.shaded->begin)},
+                                         {"x1", rounded(figure.shaded->end)},
+                                         {"y0", 0},
+                                         {"y1", 1},
+                                         {"fillcolor", "#f3f1e6"},
+                                         {"line", {{"width", 0}}},
+                                         {"layer", "below"}}});
+    }
+    return {{"data", std::move(data)}, {"layout", std::move(layout)}};
+}
+
+}  // namespace wetdeck::report

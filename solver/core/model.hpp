@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every choice a scene makes about the physics. Each ingredient is one enum or one number here, one file in physics/.
+#pragma once
+
+#include "solver/core/vec2.hpp"
+#include "solver/physics/dissipation.hpp"
+#include "solver/physics/equation_of_state.hpp"
+#include "solver/physics/interparticle_mean.hpp"
+#include "solver/physics/viscosity.hpp"
+#include "solver/physics/wall_boundary.hpp"
+
+namespace wetdeck {
+
+struct Material {
+    TaitEquationOfState eos;
+    double viscosity = 0;  ///< dynamic [Pa s]
+
+    double impedance() const { return eos.reference_density * eos.sound_speed; }
+};
+
+struct Model {
+    Material water;
+    Material air;
+    Vec2 gravity = Vec2::Zero();  ///< [m/s^2]
+
+    Mean velocity_mean = Mean::impedance_weighted;
+    Mean pressure_mean = Mean::impedance_weighted;
+    double pressure_diffusion = 1;        ///< factor on the pressure jump in u*, 1 is the Riemann value
+    bool hydrostatic_correction = true;   ///< the jump counts only beyond the hydrostatic one
+    Dissipation dissipation = Dissipation::low_dissipation;
+    double dissipation_slope = 3;         ///< of the limiter min(slope du / c, 1), water with water
+    double dissipation_floor = 0;         ///< least share of the full Riemann dissipation, both signs, water with water
+    double air_dissipation = 0.1;         ///< share of the full Riemann dissipation in pairs with air
+    Viscosity viscosity = Viscosity::none;
+    bool dissipation_switch = false;      ///< Yang et al. (2020), Eqs. (14)-(15)
+    WallSlip wall_slip = WallSlip::free;
+    WallPressure wall_pressure = WallPressure::shepard_water;
+    double wall_dissipation = 3;          ///< limiter slope of the wall-normal dissipation, 0 for none
+    bool tension = true;                  ///< false: density is kept at or above the reference (water without air)
+
+    double smoothing_ratio = 1.25;        ///< smoothing length / particle spacing
+    double courant_number = 0.5;          ///< of the acoustic criterion, Eq. (26) has 0.25
+    double skin = 0.2;                    ///< of the neighbour list, in smoothing lengths
+    int threads = 0;                      ///< 0: all that OpenMP offers
+};
+
+}  // namespace wetdeck

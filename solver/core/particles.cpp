@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/core/particles.hpp"
+
+#include "solver/core/errors.hpp"
+
+namespace wetdeck {
+
+void FluidParticles::add(Phase phase, Vec2 position, double particle_mass, double density) {
+    if (phase == Phase::water) {
+        if (water != size()) throw InputError("water particles must be added before air particles");
+        ++water;
+    }
+    FluidState particle;
+    particle.x = position.x();
+    particle.y = position.y();
+    particle.density = density;
+    particle.volume = particle_mass / density;
+    state.push_back(particle);
+    mass.push_back(particle_mass);
+    density_rate.push_back(0);
+    acceleration_x.push_back(0);
+    acceleration_y.push_back(0);
+    id.push_back(static_cast<std::uint32_t>(id.size()));
+}
+
+void WallParticles::add(Vec2 position, Vec2 normal) {
+    WallState particle;
+    particle.x = position.x();
+    particle.y = position.y();
+    particle.nx = normal.x();
+    particle.ny = normal.y();
+    state.push_back(particle);
+    pressure.push_back(0);
+    id.push_back(static_cast<std::uint32_t>(id.size()));
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Storage of fluid and boundary particles.
+//
+// The pair loop reads neighbours one by one in an order that follows the geometry, so what it needs of a neighbour
+// stands together in one cache line (FluidState). What only the owner needs (rates, mass) stands in arrays beside it.
+// Fluid particles are kept sorted: water first, then air, each along the cells of the neighbour grid; `id` is stable.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solver/core/vec2.hpp"
+
+namespace wetdeck {
+
+enum class Phase : std::uint8_t { water = 0, air = 1 };
+inline constexpr std::size_t phase_count = 2;
+
+/// What a neighbour must know of a fluid particle: one cache line.
+struct alignas(64) FluidState {
+    double x = 0, y = 0;    ///< position [m]
+    double vx = 0, vy = 0;  ///< velocity [m/s]
+    double pressure = 0;    ///< [Pa], includes the background pressure
+    double volume = 0;      ///< mass / density [m^2]
+    double density = 0;     ///< [kg/m^3]
+    double impact = 0;      ///< 1 where the dissipation switch is on, else 0
+
+    Vec2 position() const { return {x, y}; }
+    Vec2 velocity() const { return {vx, vy}; }
+};
+
+/// Fluid particles: indices [0, water) are water, [water, size) air.
+struct FluidParticles {
+    std::vector<FluidState> state;
+    std::vector<double> mass;                              ///< [kg/m]
+    std::vector<double> density_rate;                      ///< [kg/(m^3 s)]
+    std::vector<double> acceleration_x, acceleration_y;    ///< [m/s^2], gravity included
+    std::vector<std::uint32_t> id;                         ///< stable under sorting
+    std::size_t water = 0;                                 ///< number of water particles
+
+    std::size_t size() const { return state.size(); }
+    Phase phase(std::size_t i) const { return i < water ? Phase::water : Phase::air; }
+
+    /// Appends one particle at rest; all water must be added before the first air particle.
+    void add(Phase phase, Vec2 position, double particle_mass, double density);
+};
+
+/// What a fluid particle must know of a boundary particle.
+struct alignas(64) WallState {
+    double x = 0, y = 0;
+    double vx = 0, vy = 0;  ///< velocity of the wall there [m/s]
+    double nx = 0, ny = 0;  ///< unit normal of the nearest face, into the fluid
+    double ax = 0, ay = 0;  ///< acceleration of the wall there [m/s^2]
+};
+
+/// Dummy particles of walls and bodies. All have the volume particle_spacing^2.
+struct WallParticles {
+    std::vector<WallState> state;
+    std::vector<double> pressure;  ///< [Pa] Shepard pressure, where the model uses it
+    std::vector<std::uint32_t> id;
+
+    std::size_t size() const { return state.size(); }
+    void add(Vec2 position, Vec2 normal);
+};
+
+}  // namespace wetdeck

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wendland C2 kernel in two dimensions, support 2 h, Yang et al. (2020), Eq. (7) with its lost pi restored:
+//     W(q) = 7 / (64 pi h^2) (2 - q)^4 (2 q + 1),  q = r / h < 2
+// Its slope divided by r has no singularity: -(dW/dr) / r = 10 alpha / h^2 (2 - q)^3.
+#pragma once
+
+#include <numbers>
+
+#include "solver/core/scalar_math.hpp"
+
+namespace wetdeck {
+
+struct WendlandC2 {
+    double smoothing_length = 1;  ///< h [m]
+
+    double support_radius() const { return 2 * smoothing_length; }
+
+    /// alpha = 7 / (64 pi h^2) [1/m^2]
+    double normalisation() const { return 7 / (64 * std::numbers::pi * smoothing_length * smoothing_length); }
+
+    /// W [1/m^2]
+    double value(double distance) const {
+        const double q = distance / smoothing_length;
+        const double t = positive_part(2 - q);
+        return normalisation() * t * t * t * t * (2 * q + 1);
+    }
+
+    /// -(dW/dr)/r [1/m^4] is slope_factor() times cube(2 - q): the pair loop applies the factor once per sum.
+    double slope_factor() const { return 10 * normalisation() / (smoothing_length * smoothing_length); }
+
+    /// -(dW/dr)/r [1/m^4]
+    double slope_over_distance(double distance) const {
+        return slope_factor() * cubed_reach(distance, 1 / smoothing_length);
+    }
+
+    /// (2 - q)^3 inside the support, else 0.
+    template <class Real, class Scale>
+    static Real cubed_reach(Real distance, Scale inverse_smoothing_length) {
+        const Real t = positive_part(2.0 - distance * inverse_smoothing_length);
+        return t * t * t;
+    }
+};
+
+}  // namespace wetdeck

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/neighbours/neighbour_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+namespace wetdeck {
+namespace {
+
+constexpr std::size_t clusters_per_block = 32;
+
+/// Order of `keys` under a stable counting sort; `start` receives the first position of each key and an end mark.
+void counting_sort(std::span<const std::uint32_t> keys, std::size_t key_count, std::vector<std::uint32_t>& start,
+                   std::vector<std::uint32_t>& order) {
+    start.assign(key_count + 1, 0);
+    for (const std::uint32_t key : keys) ++start[key + 1];
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    order.resize(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) order[start[keys[i]]++] = static_cast<std::uint32_t>(i);
+    std::copy_backward(start.begin(), start.end() - 1, start.end());
+    start[0] = 0;
+}
+
+Box bounds(const FluidState* state, std::uint32_t count) {
+    Box box{state[0].position(), state[0].position()};
+    for (std::uint32_t i = 1; i < count; ++i) {
+        box.low = box.low.cwiseMin(state[i].position());
+        box.high = box.high.cwiseMax(state[i].position());
+    }
+    return box;
+}
+
+void append_clusters(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, Phase phase) {
+    for (std::size_t first = begin; first < end; first += cluster_width) {
+        Cluster cluster;
+        cluster.first = static_cast<std::uint32_t>(first);
+        cluster.count = static_cast<std::uint32_t>(std::min<std::size_t>(cluster_width, end - first));
+        cluster.phase = phase;
+        clusters.push_back(cluster);
+    }
+}
+
+}  // namespace
+
+NeighbourList::NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
+                             bool with_walls_own_lists)
+    : origin_(domain.low - Vec2::Constant(support_radius + skin)),
+      cell_width_(2 * particle_spacing),
+      cell_height_(particle_spacing),
+      strips_(0),
+      rows_(0),
+      reach_(support_radius + skin),
+      skin_(skin),
+      with_walls_own_lists_(with_walls_own_lists) {
+    const Vec2 size = domain.high + Vec2::Constant(support_radius + skin) - origin_;
+    strips_ = static_cast<std::uint32_t>(std::ceil(size.x() / cell_width_)) + 1;
+    rows_ = static_cast<std::uint32_t>(std::ceil(size.y() / cell_height_)) + 1;
+}
+
+NeighbourList::Cell NeighbourList::cell_of(double x, double y) const {
+    const auto clamped = [](double offset, double width, std::uint32_t count) {
+        return static_cast<std::uint32_t>(std::clamp(offset / width, 0.0, static_cast<double>(count - 1)));
+    };
+    return {clamped(x - origin_.x(), cell_width_, strips_), clamped(y - origin_.y(), cell_height_, rows_)};
+}
+
+void NeighbourList::place(WallParticles& walls) {
+    key_.resize(walls.size());
+    for (std::size_t i = 0; i < walls.size(); ++i) key_[i] = cell_index(cell_of(walls.state[i].x, walls.state[i].y));
+    counting_sort(key_, std::size_t{strips_} * rows_, wall_start_, order_);
+    WallParticles sorted = walls;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        sorted.state[i] = walls.state[order_[i]];
+        sorted.pressure[i] = walls.pressure[order_[i]];
+        sorted.id[i] = walls.id[order_[i]];
+    }
+    walls = std::move(sorted);
+}
+
+void NeighbourList::build(FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops, int threads) {
+    sort_fluid(fluid);
+    clusters_.clear();
+    append_clusters(clusters_, 0, fluid.water, Phase::water);
+    append_clusters(clusters_, fluid.water, fluid.size(), Phase::air);
+    list_neighbours(fluid, walls, loops, threads);
+}
+
+void NeighbourList::sort_fluid(FluidParticles& fluid) {
+    const std::size_t cells = std::size_t{strips_} * rows_;
+    key_.resize(fluid.size());
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const std::uint32_t cell = cell_index(cell_of(fluid.state[i].x, fluid.state[i].y));
+        key_[i] = cell + static_cast<std::uint32_t>(fluid.phase(i) == Phase::air ? cells : 0);
+    }
+    counting_sort(key_, phase_count * cells, fluid_start_, order_);
+    sorted_.state.resize(fluid.size());
+    sorted_.mass.resize(fluid.size());
+    sorted_.id.resize(fluid.size());
+    built_.resize(2 * fluid.size());
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const std::uint32_t from = order_[i];
+        sorted_.state[i] = fluid.state[from];
+        sorted_.mass[i] = fluid.mass[from];
+        sorted_.id[i] = fluid.id[from];
+        built_[2 * i] = fluid.state[from].x;
+        built_[2 * i + 1] = fluid.state[from].y;
+    }
+    std::swap(sorted_.state, fluid.state);
+    std::swap(sorted_.mass, fluid.mass);
+    std::swap(sorted_.id, fluid.id);
+}
+
+void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
+                                    int threads) {
+    if (with_walls_own_lists_) {
+        wall_clusters_.clear();
+        append_clusters(wall_clusters_, 0, walls.size(), Phase::water);
+    }
+    const std::size_t fluid_clusters = clusters_.size();
+    const std::size_t total = fluid_clusters + wall_clusters_.size();
+    const std::size_t blocks = (total + clusters_per_block - 1) / clusters_per_block;
+    if (block_lists_.size() < blocks) block_lists_.resize(blocks);
+    const std::size_t cells = std::size_t{strips_} * rows_;
+
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+    for (std::int64_t b = 0; b < static_cast<std::int64_t>(blocks); ++b) {
+        const auto block = static_cast<std::size_t>(b);
+        std::vector<std::uint32_t>& list = block_lists_[block];
+        std::size_t used = 0;
+        const std::size_t first = block * clusters_per_block;
+        const std::size_t last = std::min(total, first + clusters_per_block);
+        std::size_t offsets[clusters_per_block];
+        for (std::size_t n = first; n < last; ++n) {
+            const bool of_wall = n >= fluid_clusters;
+            Cluster& cluster = of_wall ? wall_clusters_[n - fluid_clusters] : clusters_[n];
+            offsets[n - first] = used;
+            FluidState lanes[cluster_width];
+            for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
+                if (of_wall) {
+                    lanes[lane].x = walls.state[cluster.first + lane].x;
+                    lanes[lane].y = walls.state[cluster.first + lane].y;
+                } else {
+                    lanes[lane] = fluid.state[cluster.first + lane];
+                }
+            }
+            const Box box = bounds(lanes, cluster.count);
+            const Cell low = cell_of(box.low.x() - reach_, box.low.y() - reach_);
+            const Cell high = cell_of(box.high.x() + reach_, box.high.y() + reach_);
+            const auto search = [&](const double* positions, const std::uint32_t* start) {
+                const std::size_t before = used;
+                for (std::uint32_t strip = low.strip; strip <= high.strip; ++strip) {
+                    const std::uint32_t begin = start[cell_index({strip, low.row})];
+                    const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
+                    // one entry of slack: the filter writes each candidate before it knows whether to keep it
+                    if (list.size() < used + (end - begin) + 1) list.resize(2 * (used + (end - begin) + 1));
+                    used += loops.filter_near(lanes, cluster.count, positions, sizeof(FluidState) / sizeof(double),
+                                              begin, end, reach_, list.data() + used);
+                }
+                return static_cast<std::uint32_t>(used - before);
+            };
+            for (std::size_t phase = 0; phase < phase_count; ++phase) {
+                cluster.fluid_neighbours[phase] =
+                    fluid.size() == 0 ? 0 : search(&fluid.state[0].x, fluid_start_.data() + phase * cells);
+            }
+            cluster.wall_neighbours =
+                of_wall || walls.size() == 0 ? 0 : search(&walls.state[0].x, wall_start_.data());
+        }
+        for (std::size_t n = first; n < last; ++n) {
+            (n >= fluid_clusters ? wall_clusters_[n - fluid_clusters] : clusters_[n]).neighbours =
+                list.data() + offsets[n - first];
+        }
+    }
+    std::erase_if(wall_clusters_, [](const Cluster& c) { return c.fluid_neighbours[0] + c.fluid_neighbours[1] == 0; });
+}
+
+std::size_t NeighbourList::entries() const {
+    std::size_t sum = 0;
+    for (const Cluster& c : clusters_) sum += c.fluid_neighbours[0] + c.fluid_neighbours[1] + c.wall_neighbours;
+    return sum;
+}
+
+std::size_t NeighbourList::bytes() const {
+    std::size_t sum = clusters_.capacity() * sizeof(Cluster) + built_.capacity() * sizeof(double) +
+                      (key_.capacity() + order_.capacity() + fluid_start_.capacity()) * sizeof(std::uint32_t) +
+                      sorted_.state.capacity() * sizeof(FluidState) + sorted_.mass.capacity() * sizeof(double);
+    for (const auto& list : block_lists_) sum += list.capacity() * sizeof(std::uint32_t);
+    return sum;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tait equation of state with background pressure, Yang et al. (2020), Eq. (2):
+//     p = (rho0 c^2 / gamma) [ (rho/rho0)^gamma - 1 ] + p0
+// Pressures are gauge: zero is the air's pressure at its reference density, apart from p0.
+#pragma once
+
+#include <cmath>
+
+namespace wetdeck {
+
+struct TaitEquationOfState {
+    double reference_density = 1000;  ///< [kg/m^3]
+    double sound_speed = 0;           ///< at the reference density [m/s]
+    double exponent = 7;              ///< gamma
+    double background_pressure = 0;   ///< p0 [Pa]
+
+    /// rho0 c^2 / gamma [Pa]
+    double coefficient() const { return reference_density * sound_speed * sound_speed / exponent; }
+
+    double pressure(double density) const {
+        return coefficient() * (std::pow(density / reference_density, exponent) - 1) + background_pressure;
+    }
+
+    double density(double pressure) const {
+        return reference_density * std::pow((pressure - background_pressure) / coefficient() + 1, 1 / exponent);
+    }
+
+    /// Elastic energy per mass against the reference state [J/kg]: integral of (p - p0)/rho^2 d(rho).
+    double compression_energy(double density) const {
+        const double ratio = density / reference_density;
+        const double b = coefficient() / reference_density;
+        return b * ((std::pow(ratio, exponent - 1) - 1) / (exponent - 1) + 1 / ratio - 1);
+    }
+};
+
+/// Sound speed of the second phase when both phases share the coefficient rho0 c^2 / gamma [m/s].
+inline double equal_coefficient_sound_speed(const TaitEquationOfState& first, double reference_density, double exponent) {
+    return std::sqrt(first.coefficient() * exponent / reference_density);
+}
+
+/// x^gamma for the two exponents in use, by multiplications alone: gamma = 7 (water) and 7/5 (air). The fifth root is
+/// found by Newton's method from its expansion about 1; six steps reach rounding for 0.2 < x < 4.
+template <class Real>
+Real power_seven(Real x) {
+    const Real x2 = x * x;
+    return x2 * x2 * x2 * x;
+}
+
+template <class Real>
+Real power_seven_fifths(Real x) {
+    const Real square = x * x;
+    Real root = 0.8 + 0.2 * square;
+    for (int step = 0; step < 6; ++step) {
+        const Real root2 = root * root;
+        root = 0.8 * root + 0.2 * (square / (root2 * root2));
+    }
+    return x * root;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pressure at the start, from which the initial densities follow.
+#pragma once
+
+#include "solver/core/model.hpp"
+#include "solver/core/particles.hpp"
+
+namespace wetdeck {
+
+
+/// Gauge pressure [Pa] in a column of water just after its gate is gone, Yang et al. (2020), Eq. (27), after Greco (2001):
+///     p = rho g (h - y) - (8 rho g h / pi^2) SUM_n (2n+1)^-2 exp(-k_n d) cos(k_n y),   k_n = (2n+1) pi / (2h)
+/// with d >= 0 the distance to the released face and y the height above the bed. Zero on the face and on the surface.
+double greco_pressure(double density, double gravity, double height, double distance_to_face, double y);
+
+/// Sets each particle's density so that its pressure is gauge + background; mass stays, volume follows.
+/// @param gauge  gauge pressure at a position [Pa]
+template <class GaugePressure>
+void set_initial_pressure(FluidParticles& fluid, const Model& model, GaugePressure gauge) {
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const Phase phase = fluid.phase(i);
+        const TaitEquationOfState& eos = phase == Phase::water ? model.water.eos : model.air.eos;
+        FluidState& p = fluid.state[i];
+        p.pressure = eos.background_pressure + gauge(phase, p.position());
+        p.density = eos.density(p.pressure);
+        p.volume = fluid.mass[i] / p.density;
+    }
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/setup/lattice.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "solver/core/errors.hpp"
+
+namespace wetdeck {
+namespace {
+
+constexpr double largest_stretch = 0.02;
+
+struct Axis {
+    int count;
+    double spacing;
+};
+
+Axis fit(double length, double particle_spacing) {
+    const int count = std::max(1, static_cast<int>(std::lround(length / particle_spacing)));
+    return {count, length / count};
+}
+
+}  // namespace
+
+void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_spacing, double density) {
+    const Vec2 size = region.high - region.low;
+    const Axis axes[] = {fit(size.x(), particle_spacing), fit(size.y(), particle_spacing)};
+    for (int k = 0; k < 2; ++k) {
+        if (std::abs(axes[k].spacing / particle_spacing - 1) <= largest_stretch) continue;
+        const double side = size[k];
+        const int fewer = std::max(1, static_cast<int>(side / particle_spacing));
+        char text[200];
+        std::snprintf(text, sizeof text,
+                      "particle spacing %.6g m does not fit the side of %.6g m (%.2f particles); the nearest that do are "
+                      "%.6g and %.6g m",
+                      particle_spacing, side, side / particle_spacing, side / fewer, side / (fewer + 1));
+        throw InputError(text);
+    }
+    const double volume = axes[0].spacing * axes[1].spacing;
+    for (int column = 0; column < axes[0].count; ++column) {
+        for (int row = 0; row < axes[1].count; ++row) {
+            const Vec2 offset((column + 0.5) * axes[0].spacing, (row + 0.5) * axes[1].spacing);
+            fluid.add(phase, region.low + offset, density * volume, density);
+        }
+    }
+}
+
+WallParticles tank_walls(Box tank, double particle_spacing, double support_radius) {
+    const Vec2 size = tank.high - tank.low;
+    const Axis along_x = fit(size.x(), particle_spacing), along_y = fit(size.y(), particle_spacing);
+    const int layers = static_cast<int>(std::ceil(support_radius / particle_spacing));
+    WallParticles walls;
+    const auto coordinate = [&](int index, const Axis& axis, double low) {
+        if (index < 0) return low + (index + 0.5) * particle_spacing;
+        if (index >= axis.count) return low + axis.count * axis.spacing + (index - axis.count + 0.5) * particle_spacing;
+        return low + (index + 0.5) * axis.spacing;
+    };
+    for (int column = -layers; column < along_x.count + layers; ++column) {
+        for (int row = -layers; row < along_y.count + layers; ++row) {
+            const bool inside = column >= 0 && column < along_x.count && row >= 0 && row < along_y.count;
+            if (inside) continue;
+            const Vec2 position(coordinate(column, along_x, tank.low.x()), coordinate(row, along_y, tank.low.y()));
+            const Vec2 nearest = position.cwiseMax(tank.low).cwiseMin(tank.high);
+            walls.add(position, (nearest - position).normalized());
+        }
+    }
+    return walls;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/simulation.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "solver/core/errors.hpp"
+
+namespace wetdeck {
+namespace {
+
+/// Water and air densities outside this share of their reference end a run: the state is no fluid any more.
+constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 5;
+
+class StageTimer {
+  public:
+    explicit StageTimer(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
+    ~StageTimer() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+  private:
+    double& total_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace
+
+std::string Instability::describe() const {
+    char text[256];
+    std::snprintf(text, sizeof text, "unstable at t = %.6g s (step %llu): %s, particle %u at (%.4g, %.4g) m", time,
+                  static_cast<unsigned long long>(step), quantity.c_str(), particle, position.x(), position.y());
+    return text;
+}
+
+Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
+                       Box domain)
+    : model_(model),
+      fluid_(std::move(fluid)),
+      walls_(std::move(walls)),
+      particle_spacing_(particle_spacing),
+      domain_(domain),
+      kernel_{model.smoothing_ratio * particle_spacing},
+      threads_(model.threads > 0 ? model.threads : omp_get_max_threads()),
+      loops_(pair_loops(model)),
+      list_(domain, particle_spacing, kernel_.support_radius(), model.skin * kernel_.smoothing_length,
+            model.wall_pressure != WallPressure::one_sided) {
+    if (fluid_.size() == 0) throw InputError("a simulation needs fluid particles");
+    if (!(particle_spacing > 0)) throw InputError("particle_spacing must be positive");
+    const double h = kernel_.smoothing_length;
+    for (std::size_t i = 0; i < phase_count; ++i) {
+        for (std::size_t j = 0; j < phase_count; ++j) {
+            coefficients_.pair[i][j] = pair_coefficients(model_, Phase(i), Phase(j), h);
+        }
+        coefficients_.wall_pair[i] = wall_coefficients(model_, Phase(i), h);
+    }
+    coefficients_.kernel = kernel_;
+    coefficients_.gravity = model_.gravity;
+    coefficients_.wall_volume = particle_spacing * particle_spacing;
+    coefficients_.velocity_guard = 1e-12 * model_.water.eos.sound_speed;
+    coefficients_.pressure_guard = 1e-12 * model_.water.eos.coefficient();
+    coefficients_.threads = threads_;
+    coefficients_.wall_pressure_mean = {model_.wall_pressure != WallPressure::one_sided,
+                                        model_.wall_pressure == WallPressure::shepard};
+    list_.place(walls_);
+    update_density(0);
+    build_list();
+    evaluate();
+}
+
+PassInput Simulation::pass_input() {
+    PassInput in = coefficients_;
+    in.fluid = fluid_.state.data();
+    in.wall = walls_.state.data();
+    in.wall_pressure = walls_.pressure.data();
+    in.clusters = &list_.clusters();
+    in.wall_clusters = &list_.wall_clusters();
+    in.density_rate = fluid_.density_rate.data();
+    in.acceleration_x = fluid_.acceleration_x.data();
+    in.acceleration_y = fluid_.acceleration_y.data();
+    return in;
+}
+
+void Simulation::build_list() {
+    const StageTimer timer(stages_.neighbours);
+    list_.build(fluid_, walls_, loops_, threads_);
+    ++list_builds_;
+}
+
+void Simulation::density_pass() {
+    const StageTimer timer(stages_.density);
+    loops_.density_rates(pass_input());
+}
+
+void Simulation::wall_pass() {
+    if (model_.wall_pressure == WallPressure::one_sided) return;
+    const StageTimer timer(stages_.walls);
+    loops_.wall_pressures(pass_input());
+}
+
+void Simulation::momentum_pass() {
+    const StageTimer timer(stages_.momentum);
+    loops_.accelerations(pass_input());
+}
+
+void Simulation::update_density(double dt) {
+    const StageTimer timer(stages_.integration);
+    const auto advance = [&](std::size_t first, std::size_t last, const TaitEquationOfState& eos) {
+        const double lowest = model_.tension ? lowest_density_ratio * eos.reference_density : eos.reference_density;
+        loops_.advance_density(fluid_.state.data(), fluid_.density_rate.data(), fluid_.mass.data(), first, last, dt, eos,
+                               lowest, threads_);
+    };
+    advance(0, fluid_.water, model_.water.eos);
+    advance(fluid_.water, fluid_.size(), model_.air.eos);
+}
+
+void Simulation::evaluate() {
+    for (std::size_t i = 0; i < fluid_.size(); ++i) {
+        const double speed = fluid_.state[i].velocity().norm();
+        double& fastest = fastest_[static_cast<std::size_t>(fluid_.phase(i))];
+        fastest = std::max(fastest, speed);
+    }
+    density_pass();
+    wall_pass();
+    momentum_pass();
+    time_step_ = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
+                                  fluid_.water < fluid_.size());
+}
+
+/// The pressure convection rate grad(p).v from the momentum equation itself: grad(p) = -rho (dv/dt - g), Eq. (15).
+void Simulation::mark_impacts() {
+    const double fastest = std::max(fastest_[0], fastest_[1]);
+    const double g = model_.gravity.norm();
+    const auto size = static_cast<std::int64_t>(fluid_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_)
+    for (std::int64_t n = 0; n < size; ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        FluidState& p = fluid_.state[i];
+        const double rate = -p.density * ((fluid_.acceleration_x[i] - model_.gravity.x()) * p.vx +
+                                          (fluid_.acceleration_y[i] - model_.gravity.y()) * p.vy);
+        p.impact = rate > p.density * g * fastest ? 1 : 0;
+    }
+}
+
+/// Half a kick and half a drift. Returns whether the list will still be complete at the end of the step.
+bool Simulation::kick_and_drift(double dt) {
+    const StageTimer timer(stages_.integration);
+    if (model_.dissipation_switch) mark_impacts();
+    const double half = 0.5 * dt;
+    const double* built = list_.built_positions();
+    double farthest = 0;
+    const auto size = static_cast<std::int64_t>(fluid_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_) reduction(max : farthest)
+    for (std::int64_t n = 0; n < size; ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        FluidState& p = fluid_.state[i];
+        p.vx += half * fluid_.acceleration_x[i];
+        p.vy += half * fluid_.acceleration_y[i];
+        p.x += half * p.vx;
+        p.y += half * p.vy;
+        const double mx = p.x - built[2 * i], my = p.y - built[2 * i + 1];
+        const double ex = mx + half * p.vx, ey = my + half * p.vy;
+        farthest = std::max(farthest, std::max(mx * mx + my * my, ex * ex + ey * ey));
+    }
+    return farthest <= list_.allowance() * list_.allowance();
+}
+
+void Simulation::drift(double dt) {
+    const StageTimer timer(stages_.integration);
+    const auto size = static_cast<std::int64_t>(fluid_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_)
+    for (std::int64_t n = 0; n < size; ++n) {
+        FluidState& p = fluid_.state[static_cast<std::size_t>(n)];
+        p.x += 0.5 * dt * p.vx;
+        p.y += 0.5 * dt * p.vy;
+    }
+}
+
+/// The last half kick; finds the largest speeds and whether anything has left its range.
+std::optional<Instability> Simulation::kick(double dt) {
+    const StageTimer timer(stages_.integration);
+    const auto size = static_cast<std::int64_t>(fluid_.size());
+    double fastest_water = 0, fastest_air = 0;
+    std::int64_t first_bad = size;
+    const double densities[] = {model_.water.eos.reference_density, model_.air.eos.reference_density};
+#pragma omp parallel for schedule(static) num_threads(threads_) reduction(max : fastest_water, fastest_air) \
+    reduction(min : first_bad)
+    for (std::int64_t n = 0; n < size; ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        FluidState& p = fluid_.state[i];
+        p.vx += 0.5 * dt * fluid_.acceleration_x[i];
+        p.vy += 0.5 * dt * fluid_.acceleration_y[i];
+        const double speed2 = p.vx * p.vx + p.vy * p.vy;
+        const bool water = i < fluid_.water;
+        double& fastest = water ? fastest_water : fastest_air;
+        fastest = std::max(fastest, speed2);
+        const double ratio = p.density / densities[water ? 0 : 1];
+        const bool good = ratio > lowest_density_ratio && ratio < highest_density_ratio &&
+                          speed2 < std::numeric_limits<double>::max();
+        if (!good) first_bad = std::min(first_bad, n);
+    }
+    fastest_ = {std::sqrt(fastest_water), std::sqrt(fastest_air)};
+    if (first_bad == size) return std::nullopt;
+    const auto i = static_cast<std::size_t>(first_bad);
+    char text[160];
+    std::snprintf(text, sizeof text, "%s density %.4g kg/m3 and speed %.4g m/s left the range of a fluid",
+                  i < fluid_.water ? "water" : "air", fluid_.state[i].density, fluid_.state[i].velocity().norm());
+    return Instability{time_ + dt, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
+}
+
+std::optional<Instability> Simulation::step(double longest) {
+    const TimeStep stable = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
+                                             fluid_.water < fluid_.size());
+    time_step_ = stable;
+    const double dt = std::min(longest, stable.size);
+    if (!kick_and_drift(dt)) build_list();
+    density_pass();
+    update_density(dt);
+    drift(dt);
+    wall_pass();
+    momentum_pass();
+    std::optional<Instability> trouble = kick(dt);
+    time_ += dt;
+    ++steps_;
+    ++limits_[static_cast<std::size_t>(stable.criterion)];
+    return trouble;
+}
+
+std::optional<Instability> Simulation::run(double end, const Observer& observe) {
+    observe(*this);
+    while (time_ < end) {
+        if (std::optional<Instability> trouble = step(end - time_)) return trouble;
+        const StageTimer timer(stages_.probes);
+        observe(*this);
+    }
+    return std::nullopt;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The only time loop: particles, neighbour list, passes, velocity Verlet, time step, stage timers, stop reasons.
+//
+// One step (velocity Verlet as in Adami, Hu and Adams, 2012): half kick and half drift; density from the rates at the
+// middle; half drift; accelerations at the end; half kick. Two passes over the pairs per step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "solver/core/model.hpp"
+#include "solver/core/particles.hpp"
+#include "solver/neighbours/neighbour_list.hpp"
+#include "solver/pair_loop/pair_loop.hpp"
+#include "solver/time/time_step.hpp"
+
+namespace wetdeck {
+
+/// Why a run cannot go on.
+struct Instability {
+    double time = 0;         ///< [s]
+    std::uint64_t step = 0;
+    std::uint32_t particle = 0;  ///< id
+    Vec2 position = Vec2::Zero();
+    std::string quantity;    ///< what left its range, with value and range
+
+    /// One sentence for a person.
+    std::string describe() const;
+};
+
+struct StageTimes {
+    double neighbours = 0, density = 0, momentum = 0, walls = 0, integration = 0, probes = 0;  ///< wall seconds
+};
+
+class Simulation {
+  public:
+    /// @param domain  interior of the tank [m]; particles that leave it by more than a support radius stop the run
+    /// Throws InputError where the model contradicts itself.
+    Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing, Box domain);
+
+    /// Called after the first evaluation and after every step.
+    using Observer = std::function<void(const Simulation&)>;
+
+    /// Runs until `end` [s] or until the run becomes unstable, which is returned.
+    std::optional<Instability> run(double end, const Observer& observe);
+
+    /// One step of the given size at most. Returns what went wrong, if anything.
+    std::optional<Instability> step(double longest);
+
+    const Model& model() const { return model_; }
+    const FluidParticles& fluid() const { return fluid_; }
+    const WallParticles& walls() const { return walls_; }
+    Box domain() const { return domain_; }
+    double particle_spacing() const { return particle_spacing_; }
+    WendlandC2 kernel() const { return kernel_; }
+    double time() const { return time_; }
+    std::uint64_t steps() const { return steps_; }
+    TimeStep time_step() const { return time_step_; }
+    const StageTimes& stage_times() const { return stages_; }
+    const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const { return limits_; }
+    std::uint64_t list_builds() const { return list_builds_; }
+    const NeighbourList& neighbours() const { return list_; }
+    const char* instruction_set() const { return loops_.instruction_set; }
+    int threads() const { return threads_; }
+
+    /// Particles for a test to disturb; rates are those of the last evaluation.
+    FluidParticles& disturb() { return fluid_; }
+    /// Rates of the present state, without moving anything.
+    void evaluate();
+
+  private:
+    PassInput pass_input();
+    void build_list();
+    bool kick_and_drift(double dt);
+    void drift(double dt);
+    std::optional<Instability> kick(double dt);
+    void mark_impacts();
+    void density_pass();
+    void wall_pass();
+    void momentum_pass();
+    void update_density(double dt);
+
+    Model model_;
+    FluidParticles fluid_;
+    WallParticles walls_;
+    double particle_spacing_;
+    Box domain_;
+    WendlandC2 kernel_;
+    int threads_;
+    PairLoops loops_;
+    NeighbourList list_;
+    PassInput coefficients_;  ///< what stays the same over the run
+    double time_ = 0;
+    std::uint64_t steps_ = 0;
+    std::uint64_t list_builds_ = 0;
+    std::array<double, phase_count> fastest_{};
+    TimeStep time_step_;
+    std::array<std::uint64_t, limiting_criterion_names.size()> limits_{};
+    StageTimes stages_;
+};
+
+}  // namespace wetdeck

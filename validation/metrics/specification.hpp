@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene file asks of its runs: quantities of interest and comparisons with references.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wetdeck {
+
+/// Closed interval on the scaled abscissa.
+struct Window {
+    double begin = 0;
+    double end = 0;
+};
+
+/// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
+struct QuantitySpec {
+    std::string name;
+    /// mean, standard_deviation, maximum, time_of_maximum, minimum, slope (least squares), first_crossing
+    /// (upward through `threshold`), value_at (at `threshold` on the abscissa), rms_difference (root mean square difference to
+    /// `reference` at 2000 equidistant instants of the window, both interpolated linearly, no time shift).
+    std::string metric;
+    std::string series;
+    double x_scale = 1;  ///< seconds per unit of the scaled time
+    double y_scale = 1;  ///< SI units per unit of the scaled value
+    std::optional<Window> window;
+    std::optional<double> threshold;
+    std::string reference;  ///< file stem in reference_data/<scene>/, for rms_difference
+    std::string y_column;   ///< column of the reference
+    std::string unit = "-";
+    /// What the quantity should be, if anything is known: value +- tolerance, and who says so.
+    std::optional<double> expected;
+    std::optional<double> tolerance;
+    std::string expected_source;
+};
+
+/// One pair of curves: a series against a column of a reference file.
+struct ComparisonSpec {
+    std::string title;
+    std::string quantity;   ///< name of the series
+    std::string reference;  ///< file stem in reference_data/<scene>/
+    std::string x_column;
+    std::string y_column;
+    double x_scale = 1;
+    double y_scale = 1;
+    double y_offset = 0;    ///< subtracted from the scaled series (for example 2, where a front is counted from the gate)
+    std::optional<Window> window;  ///< where the metrics are taken; the whole overlap if absent
+    double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
+    std::string x_label;
+    std::string y_label;
+};
+
+/// A value in the source, what the scene uses instead, and why.
+struct Deviation {
+    std::string item;
+    std::string source;
+    std::string used;
+    std::string reason;
+};
+
+/// The part of a scene that analysis and report need.
+struct AnalysisSpec {
+    std::string scene;
+    std::string title;
+    std::string purpose;
+    std::string source;
+    std::vector<QuantitySpec> quantities;
+    std::vector<ComparisonSpec> comparisons;
+    std::vector<Deviation> deviations;
+    std::vector<std::string> limits;      ///< statements of what was not shown
+    std::string error_quantity;           ///< the quantity whose value is the error of the speed-error diagram
+    std::string default_variant;
+};
+
+}  // namespace wetdeck

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Values in HDF5 files: scalar attributes (double, unsigned, UTF-8 text) and arrays of doubles with one or
+// two dimensions. Reading checks type and shape first and throws DataError that names the place.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "validation/store/hdf5_file.hpp"
+
+namespace wetdeck::hdf5 {
+
+void write_attribute(const Node& node, const std::string& name, double value);
+void write_attribute(const Node& node, const std::string& name, std::uint64_t value);
+/// Variable-length UTF-8; the text itself lies outside the 64 KiB that HDF5 grants an attribute. A NUL ends
+/// it.
+void write_attribute(const Node& node, const std::string& name, const std::string& value);
+
+double read_double(const Node& node, const std::string& name);
+std::uint64_t read_unsigned(const Node& node, const std::string& name);
+std::string read_text(const Node& node, const std::string& name);
+bool is_text(const Node& node, const std::string& attribute);
+
+/// A new dataset, shuffled and deflated if it is long enough to gain. `columns` = 0 makes it one-dimensional.
+Node write_array(const Node& parent, const std::string& name, std::span<const double> values,
+                 std::size_t columns = 0);
+
+struct Array {
+    std::vector<hsize_t> shape;  ///< one or two extents
+    std::vector<double> values;  ///< row-major
+};
+Array read_array(const Node& parent, const std::string& name);
+
+/// An empty two-dimensional dataset that grows by rows, uncompressed (so that a flush leaves no holes).
+Node create_table(const Node& parent, const std::string& name, std::size_t columns,
+                  std::size_t rows_per_chunk);
+Node open_table(const Node& parent, const std::string& name);
+void resize_table(const Node& table, std::size_t rows, std::size_t columns);
+/// Adds whole rows behind the `rows` that the table has.
+void append_rows(const Node& table, std::size_t rows, std::size_t columns, std::span<const double> values);
+
+}  // namespace wetdeck::hdf5

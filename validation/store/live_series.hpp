@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scalar series of a run while it goes on, DIR/live.h5, so that a killed run keeps what it had.
+// One table /rows: time [s], then one column per series. The file can be read while it grows.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "validation/store/hdf5_file.hpp"
+#include "validation/store/run_record.hpp"
+
+namespace wetdeck {
+
+struct LiveColumn {
+    std::string name;
+    std::string unit;
+    std::string description;
+
+    bool operator==(const LiveColumn&) const = default;
+};
+
+/// DIR/live.h5; to be removed once run.h5 is in place.
+std::filesystem::path live_file(const std::filesystem::path& run_dir);
+
+/// Appends rows to DIR/live.h5. All members throw EnvironmentError if the machine refuses; nothing more is
+/// written after that.
+class LiveSeries {
+  public:
+    /// Starts the file anew, or, to go on from a checkpoint, keeps the rows with time <= `keep_until` [s] of
+    /// a file with the same columns.
+    LiveSeries(const std::filesystem::path& run_dir, std::vector<LiveColumn> columns,
+               std::size_t rows_per_flush = 64, double keep_until = -std::numeric_limits<double>::infinity());
+    ~LiveSeries();
+    LiveSeries(const LiveSeries&) = delete;
+    LiveSeries& operator=(const LiveSeries&) = delete;
+
+    /// One value per column. The row is on disk after at most `rows_per_flush` calls.
+    void append(double time, std::span<const double> values);
+    void flush();
+
+  private:
+    bool reopen(const std::filesystem::path& path, double keep_until);
+    void create(const std::filesystem::path& path);
+
+    std::vector<LiveColumn> columns_;
+    std::size_t rows_per_flush_;
+    std::size_t rows_ = 0;        ///< in the table
+    std::vector<double> buffer_;  ///< rows to come
+    std::optional<hdf5::Node> file_;
+    std::optional<hdf5::Node> table_;
+};
+
+/// The series of DIR/live.h5, by name. Throws DataError if there is none or it cannot be read.
+std::map<std::string, Series> read_live(const std::filesystem::path& run_dir);
+
+}  // namespace wetdeck
