@@ -17,7 +17,7 @@ std::string csv_field(std::string text) {
         text.begin(), text.end(), [](unsigned char c) { return c < 0x20; }, ' ');
     if (text.find_first_of(",\"#") == std::string::npos) return text;
     for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) text.insert(at, 1, '"');
-    return '"' + text + '"';
+    return fmt::format("\"{}\"", text);
 }
 
 class Range {
@@ -30,16 +30,16 @@ class Range {
             high_ = std::max(high_, value);
         }
     }
-    /// `margin` is a fraction of the range, of the decades on a logarithmic axis.
-    Window with_margin(double margin) const {
+    /// Margins are fractions of the range, of the decades on a logarithmic axis.
+    Window with_margins(double below, double above) const {
         if (low_ > high_) return logarithmic_ ? Window{0.1, 1} : Window{0, 1};
         if (logarithmic_) {
-            const double factor = std::pow(std::max(high_ / low_, 2.0), 2 * margin);
-            return {low_ / factor, high_ * factor};
+            const double ratio = std::max(high_ / low_, 10.0);
+            return {low_ / std::pow(ratio, below), high_ * std::pow(ratio, above)};
         }
         const double level = std::max(std::abs(low_), std::abs(high_));
         const double span = high_ > low_ ? high_ - low_ : (level > 0 ? 0.2 * level : 1.0);
-        return {low_ - margin * span, high_ + margin * span};
+        return {low_ - below * span, high_ + above * span};
     }
 
   private:
@@ -86,8 +86,8 @@ std::string figure_csv(const Figure& figure) {
     const bool labels = std::any_of(figure.series.begin(), figure.series.end(),
                                     [](const PlotSeries& s) { return !s.point_labels.empty(); });
     const std::string y_title = axis_title(figure.y);
-    std::string out = "series," + csv_field(axis_title(figure.x)) + "," + csv_field(y_title);
-    if (edges) out += "," + csv_field("low: " + y_title) + "," + csv_field("high: " + y_title);
+    std::string out = fmt::format("series,{},{}", csv_field(axis_title(figure.x)), csv_field(y_title));
+    if (edges) out += fmt::format(",{},{}", csv_field("low: " + y_title), csv_field("high: " + y_title));
     if (labels) out += ",point";
     out += "\n";
     for (const PlotSeries& s : figure.series) {
@@ -95,7 +95,8 @@ std::string figure_csv(const Figure& figure) {
         for (std::size_t i = 0; i < s.data.x.size(); ++i) {
             out += fmt::format("{},{:.9g},{:.9g}", name, s.data.x[i], s.data.y[i]);
             if (edges) out += s.low.empty() ? ",," : fmt::format(",{:.9g},{:.9g}", s.low[i], s.high[i]);
-            if (labels) out += "," + (s.point_labels.empty() ? "" : csv_field(s.point_labels[i]));
+            if (labels)
+                out += s.point_labels.empty() ? "," : fmt::format(",{}", csv_field(s.point_labels[i]));
             out += "\n";
         }
     }
@@ -113,8 +114,11 @@ Window data_range(const Figure& figure, bool of_x) {
             range.take(s.high);
         }
     }
-    const double margin = of_x && !axis.logarithmic ? 0.02 : 0.06;
-    return range.with_margin(margin);
+    const bool labels = std::any_of(figure.series.begin(), figure.series.end(),
+                                    [](const PlotSeries& s) { return !s.point_labels.empty(); });
+    if (labels) return range.with_margins(0.08, of_x ? 0.22 : 0.12);  // room for them, up and to the right
+    const double margin = of_x ? 0.02 : 0.06;
+    return range.with_margins(margin, margin);
 }
 
 }  // namespace wetdeck::report

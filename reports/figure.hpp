@@ -20,18 +20,21 @@ struct Axis {
     std::optional<Window> range;  ///< found from the data if absent
 };
 
+enum class Marker { circle, square, triangle, diamond };
+
 enum class Style { solid, dashed, points, line_and_points, band };
 
 struct PlotSeries {
     std::string label;  ///< empty: not in the legend
     Style style = Style::solid;
-    Curve data;                ///< for a band: x and the middle
-    std::vector<double> low;   ///< error bars of points, edges of a band; same length as data, or empty
+    Curve data;               ///< for a band: x and the middle
+    std::vector<double> low;  ///< error bars of points, edges of a band; same length as data, or empty
     std::vector<double> high;
     std::string colour = "#08519c";  ///< #rrggbb
     double width = 1.8;              ///< of a line [px]
     double point_size = 6;           ///< diameter [px]
-    bool filled = true;              ///< points
+    Marker marker = Marker::circle;
+    bool filled = true;                     ///< the marker
     std::vector<std::string> point_labels;  ///< beside the points; same length as data, or empty
 };
 
@@ -61,14 +64,15 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
 /// True if a program of that name is on the PATH.
 bool gnuplot_found();
 
-/// Draws `figure` to an SVG file, which appears whole or not at all. Throws EnvironmentError with gnuplot's
-/// own words if it fails.
-void write_svg(const Figure& figure, const std::filesystem::path& path);
+/// Draws `figure` to an SVG file, which appears whole or not at all, and returns its text. Throws
+/// EnvironmentError with gnuplot's own words if it fails.
+std::string write_svg(const Figure& figure, const std::filesystem::path& path);
 
 /// {"data": [...], "layout": {...}} for Plotly.newPlot.
 nlohmann::json plotly_figure(const Figure& figure);
 
-/// Axis range with a margin around all finite data; on a logarithmic axis only of the positive. [0, 1] if none.
+/// Axis range with a margin around all finite data; on a logarithmic axis only of the positive. [0, 1] if
+/// none.
 Window data_range(const Figure& figure, bool of_x);
 
 }  // namespace wetdeck::report

@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 #include "reports/figure.hpp"
 #include "solver/core/errors.hpp"
@@ -72,12 +73,19 @@ std::string data_block(const Figure& figure, const PlotSeries& s, std::size_t in
     return out + "END_OF_DATA\n";
 }
 
+int point_type(const PlotSeries& s) {
+    static constexpr std::array<int, 4> filled{7, 5, 9, 13};
+    const int type = filled.at(static_cast<std::size_t>(s.marker));
+    return s.filled ? type : type - 1;
+}
+
 /// The clauses of the plot command for one series.
 std::vector<std::string> plot_clauses(const PlotSeries& s, std::size_t index) {
     const std::string block = fmt::format("$series{}", index);
     const std::string title = s.label.empty() ? "notitle" : "title " + quoted(s.label) + " noenhanced";
     const std::string line = fmt::format("lc rgb '{}' lw {:.2f}", s.colour, s.width);
-    const std::string point = fmt::format("lc rgb '{}' pt {} ps {:.2f}", s.colour, s.filled ? 7 : 6, s.point_size / 9);
+    const std::string point =
+        fmt::format("lc rgb '{}' pt {} ps {:.2f}", s.colour, point_type(s), s.point_size / 9);
     std::vector<std::string> clauses;
     switch (s.style) {
         case Style::solid:
@@ -87,20 +95,23 @@ std::vector<std::string> plot_clauses(const PlotSeries& s, std::size_t index) {
             clauses.push_back(fmt::format("{} using 1:2 with lines dt 2 {} {}", block, line, title));
             break;
         case Style::band:
-            clauses.push_back(
-                fmt::format("{} using 1:3:4 with filledcurves fc rgb '{}' fs transparent solid 0.18 noborder {}",
-                            block, s.colour, title));
+            clauses.push_back(fmt::format(
+                "{} using 1:3:4 with filledcurves fc rgb '{}' fs transparent solid 0.18 noborder {}", block,
+                s.colour, title));
             break;
         case Style::line_and_points:
             clauses.push_back(
                 fmt::format("{} using 1:2 with linespoints lw {:.2f} {} {}", block, s.width, point, title));
             break;
         case Style::points:
+            // Drawn as vectors: its own error bars come with a white ring around each point.
             if (!s.low.empty()) {
-                clauses.push_back(fmt::format("{} using 1:2:3:4 with yerrorbars lw 0.8 {} {}", block, point, title));
-            } else {
-                clauses.push_back(fmt::format("{} using 1:2 with points {} {}", block, point, title));
+                clauses.push_back(
+                    fmt::format("{} using 1:3:(0):($4-$3) with vectors heads size graph 0.005,90 lc rgb '{}' "
+                                "lw 0.8 notitle",
+                                block, s.colour));
             }
+            clauses.push_back(fmt::format("{} using 1:2 with points {} {}", block, point, title));
             break;
     }
     return clauses;
@@ -111,8 +122,9 @@ std::string point_labels(const Figure& figure) {
     for (const PlotSeries& s : figure.series) {
         if (s.point_labels.empty()) continue;
         for (const std::size_t i : drawn_samples(figure, s)) {
-            out += fmt::format("set label {} at {:.7g},{:.7g} offset 0.6,0.6 noenhanced font ',10' tc rgb '{}'\n",
-                               quoted(s.point_labels[i]), s.data.x[i], s.data.y[i], s.colour);
+            out += fmt::format(
+                "set label {} at {:.7g},{:.7g} offset 0.6,0.6 noenhanced font ',10' tc rgb '{}'\n",
+                quoted(s.point_labels[i]), s.data.x[i], s.data.y[i], s.colour);
         }
     }
     return out;
@@ -134,19 +146,44 @@ Outcome run(const std::string& command) {
     return outcome;
 }
 
+std::string read_file(const std::filesystem::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream) throw EnvironmentError(path.string() + ": gnuplot drew nothing");
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 std::string last_line(std::string words) {
     while (!words.empty() && words.back() == '\n') words.pop_back();
     return words.substr(words.find_last_of('\n') + 1);
 }
 
+/// Canvas and legend. The legend has its own strip below the axes: gnuplot's automatic one can overlap the
+/// label of the axis.
+std::string canvas(const Figure& figure) {
+    long entries = 0;
+    std::size_t longest = 0;
+    for (const PlotSeries& s : figure.series) {
+        if (!s.label.empty()) ++entries;
+        longest = std::max(longest, s.label.size());
+    }
+    const long columns = longest > 26 ? 1 : 2;
+    const long rows = std::max(1L, (entries + columns - 1) / columns);
+    const long strip = 21 * rows + 6;  // [px]
+    const auto height = static_cast<double>(370 + strip);
+    return fmt::format(
+        "set terminal svg size 620,{:.0f} dynamic enhanced font 'DejaVu Sans,12' background 'white'\n"
+        "set encoding utf8\nset border 3 lc rgb '#444444'\nset tics nomirror\n"
+        "set grid lc rgb '#e3e6ea' lt 1 lw 0.6\nset tmargin 2.5\nset bmargin at screen {:.4f}\n"
+        "set key at screen 0.1, screen {:.4f} left top Left reverse samplen 2 spacing 1.1 vertical maxrows "
+        "{} "
+        "noenhanced\n",
+        height, static_cast<double>(strip + 58) / height, static_cast<double>(strip) / height, rows);
+}
+
 }  // namespace
 
 std::string gnuplot_script(const Figure& figure, const std::filesystem::path& output) {
-    std::string out =
-        "set terminal svg size 760,500 dynamic enhanced font 'DejaVu Sans,12' background 'white'\n"
-        "set encoding utf8\nset border 3 lc rgb '#444444'\nset tics nomirror\n"
-        "set grid lc rgb '#e3e6ea' lt 1 lw 0.6\n"
-        "set key below left Left reverse samplen 2 spacing 1.1 maxcols 2 noenhanced\n";
+    std::string out = canvas(figure);
     out += "set output " + quoted(output.string()) + "\n";
     out += "set title " + quoted(figure.title) + " noenhanced\n";
     const Window x_range = data_range(figure, true);
@@ -155,8 +192,9 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
         const double begin = std::clamp(figure.shaded->begin, x_range.begin, x_range.end);
         const double end = std::clamp(figure.shaded->end, x_range.begin, x_range.end);
         out += fmt::format(
-            "set object rectangle from {:.9g},graph 0 to {:.9g},graph 1 behind fc rgb '#f3f1e6' fs solid noborder\n", begin,
-            end);
+            "set object rectangle from {:.9g},graph 0 to {:.9g},graph 1 behind fc rgb '#f3f1e6' fs solid "
+            "noborder\n",
+            begin, end);
     }
     out += point_labels(figure);
     std::string clauses;
@@ -170,9 +208,11 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
     return out + "plot " + (clauses.empty() ? "NaN notitle" : clauses) + "\n";
 }
 
-bool gnuplot_found() { return run("command -v gnuplot").status == 0; }
+bool gnuplot_found() {
+    return run("command -v gnuplot").status == 0;
+}
 
-void write_svg(const Figure& figure, const std::filesystem::path& path) {
+std::string write_svg(const Figure& figure, const std::filesystem::path& path) {
     const std::filesystem::path drawing = temporary_name(path);
     std::filesystem::path script = path;
     script.replace_extension(".gnuplot.tmp");
@@ -182,13 +222,20 @@ void write_svg(const Figure& figure, const std::filesystem::path& path) {
     std::filesystem::remove(script, ignored);
     if (outcome.status != 0) {
         std::filesystem::remove(drawing, ignored);
-        throw EnvironmentError(fmt::format("{}: gnuplot failed (status {}): {}", path.string(),
-                                           WIFEXITED(outcome.status) ? WEXITSTATUS(outcome.status) : outcome.status,
-                                           last_line(outcome.words)));
+        throw EnvironmentError(
+            fmt::format("{}: gnuplot failed (status {}): {}", path.string(),
+                        WIFEXITED(outcome.status) ? WEXITSTATUS(outcome.status) : outcome.status,
+                        last_line(outcome.words)));
     }
-    std::error_code error;
-    std::filesystem::rename(drawing, path, error);
-    if (error) throw environment_error(path, "replace", error.value());
+    std::string drawn = read_file(drawing);
+    std::filesystem::remove(drawing, ignored);
+    // The drawing is seen on machines that lack the font.
+    static const std::string family = "font-family=\"DejaVu Sans";
+    for (std::size_t at = 0; (at = drawn.find(family, at)) != std::string::npos; at += family.size()) {
+        drawn.insert(at + family.size(), ",Verdana,sans-serif");
+    }
+    atomic_write(path, drawn);
+    return drawn;
 }
 
 }  // namespace wetdeck::report

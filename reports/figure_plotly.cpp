@@ -2,6 +2,7 @@
 // A figure as data and layout for plotly.js.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -37,6 +38,8 @@ Json axis_layout(const Axis& axis, const Window& range) {
     if (axis.logarithmic) {
         out["type"] = "log";
         out["exponentformat"] = "power";
+        out["dtick"] =
+            range.end / range.begin < 300 ? Json("D2") : Json(1);  // 1, 2, 5 of each decade, or decades
         out["range"] = {rounded(std::log10(range.begin)), rounded(std::log10(range.end))};
     } else {
         out["range"] = {rounded(range.begin), rounded(range.end)};
@@ -52,9 +55,12 @@ Json band_trace(const PlotSeries& s, const std::vector<std::size_t>& indices) {
         x.push_back(rounded(s.data.x[*i]));
         y.push_back(rounded(s.low[*i]));
     }
-    return {{"x", x},           {"y", y},
-            {"mode", "lines"},  {"line", {{"width", 0}}},
-            {"fill", "toself"}, {"fillcolor", s.colour + "2e"},
+    return {{"x", x},
+            {"y", y},
+            {"mode", "lines"},
+            {"line", {{"width", 0}}},
+            {"fill", "toself"},
+            {"fillcolor", s.colour + "2e"},
             {"hoverinfo", "skip"}};
 }
 
@@ -65,8 +71,13 @@ Json error_bars(const PlotSeries& s, const std::vector<std::size_t>& indices) {
         above.push_back(rounded(s.high[i] - s.data.y[i]));
         below.push_back(rounded(s.data.y[i] - s.low[i]));
     }
-    return {{"type", "data"},         {"array", above},    {"arrayminus", below},
+    return {{"type", "data"},    {"array", above},   {"arrayminus", below},
             {"color", s.colour}, {"thickness", 0.8}, {"width", 3}};
+}
+
+std::string symbol(const PlotSeries& s) {
+    static constexpr std::array<const char*, 4> filled{"circle", "square", "triangle-up", "diamond"};
+    return std::string(filled.at(static_cast<std::size_t>(s.marker))) + (s.filled ? "" : "-open");
 }
 
 Json curve_trace(const PlotSeries& s, const std::vector<std::size_t>& indices) {
@@ -80,7 +91,7 @@ Json curve_trace(const PlotSeries& s, const std::vector<std::size_t>& indices) {
         if (s.style == Style::dashed) out["line"]["dash"] = "dash";
     }
     if (markers) {
-        out["marker"] = {{"color", s.colour}, {"size", s.point_size}, {"symbol", s.filled ? "circle" : "circle-open"}};
+        out["marker"] = {{"color", s.colour}, {"size", s.point_size}, {"symbol", symbol(s)}};
     }
     if (!s.point_labels.empty()) {
         mode += "+text";

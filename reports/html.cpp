@@ -19,11 +19,13 @@ std::string superscript(int exponent) {
     return text;
 }
 
-std::string without_trailing_zeros(std::string text) {
-    if (text.find('.') == std::string::npos) return text;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
+/// Without trailing zeros, with a true minus sign.
+std::string polished(std::string text) {
+    if (text.find('.') != std::string::npos) {
+        text.erase(text.find_last_not_of('0') + 1);
+        if (text.back() == '.') text.pop_back();
+    }
+    return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
@@ -39,12 +41,23 @@ std::string escape(std::string_view text) {
     out.reserve(text.size());
     for (const char c : text) {
         switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            case '\'': out += "&#39;"; break;
-            default: out += (static_cast<unsigned char>(c) < 0x20 && c != '\n') ? ' ' : c;
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            case '\'':
+                out += "&#39;";
+                break;
+            default:
+                out += (static_cast<unsigned char>(c) < 0x20 && c != '\n') ? ' ' : c;
         }
     }
     return out;
@@ -101,10 +114,10 @@ std::string number(double value, int digits) {
     const std::size_t e = scientific.find('e');
     const int exponent = std::stoi(scientific.substr(e + 1));
     if (exponent < -3 || exponent >= 5) {
-        return without_trailing_zeros(scientific.substr(0, e)) + " × 10" + superscript(exponent);
+        return polished(scientific.substr(0, e)) + " × 10" + superscript(exponent);
     }
     const double rounded = std::stod(scientific);
-    return without_trailing_zeros(fmt::format("{:.{}f}", rounded, std::max(0, digits - 1 - exponent)));
+    return polished(fmt::format("{:.{}f}", rounded, std::max(0, digits - 1 - exponent)));
 }
 
 std::string number_with_unit(std::optional<double> value, std::string_view unit, int digits) {
@@ -139,21 +152,27 @@ std::string slug(std::string_view text) {
     return out.empty() ? "x" : out;
 }
 
-Cell text(std::string_view value) { return {escape(value), ""}; }
+Cell text(std::string_view value) {
+    return {escape(value), "", 1};
+}
 
 Cell value(std::optional<double> number_or_nothing, std::string_view unit, int digits) {
-    return {escape(number_with_unit(number_or_nothing, unit, digits)), "number"};
+    return {escape(number_with_unit(number_or_nothing, unit, digits)), "number", 1};
 }
 
-Cell whole(double count_value) { return {count(count_value), "number"}; }
+Cell whole(double count_value) {
+    return {count(count_value), "number", 1};
+}
 
 Cell verdict(std::optional<bool> within) {
-    if (!within) return {"—", ""};
-    return *within ? Cell{"<span class=\"badge good\">within tolerance</span>", ""}
-                   : Cell{"<span class=\"badge bad\">outside tolerance</span>", ""};
+    if (!within) return markup("—");
+    return *within ? markup("<span class=\"badge good\">within tolerance</span>")
+                   : markup("<span class=\"badge bad\">outside tolerance</span>");
 }
 
-Cell markup(std::string html, std::string css_class) { return {std::move(html), std::move(css_class)}; }
+Cell markup(std::string html, std::string css_class, std::size_t rows) {
+    return {std::move(html), std::move(css_class), rows};
+}
 
 Table::Table(const std::vector<std::string>& headers) {
     for (const std::string& header : headers) head_ += "<th scope=\"col\">" + escape(header) + "</th>";
@@ -162,8 +181,9 @@ Table::Table(const std::vector<std::string>& headers) {
 void Table::add(const std::vector<Cell>& cells) {
     body_ += "<tr>";
     for (const Cell& cell : cells) {
-        body_ += cell.css_class.empty() ? "<td>" : "<td class=\"" + cell.css_class + "\">";
-        body_ += cell.html + "</td>";
+        const std::string rows = cell.rows > 1 ? fmt::format(" rowspan=\"{}\"", cell.rows) : "";
+        const std::string css = cell.css_class.empty() ? "" : fmt::format(" class=\"{}\"", cell.css_class);
+        body_ += fmt::format("<td{}{}>{}</td>", rows, css, cell.html);
     }
     body_ += "</tr>\n";
     ++rows_;

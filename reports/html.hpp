@@ -10,7 +10,8 @@
 
 namespace wetdeck::report {
 
-/// HTML text or attribute value: & < > " ' become entities, control characters other than newline become spaces.
+/// HTML text or attribute value: & < > " ' become entities, control characters other than newline become
+/// spaces.
 std::string escape(std::string_view text);
 
 /// JavaScript for the inside of a <script> element: `</script` becomes `<\/script`, `<!--` becomes `\x3c!--`.
@@ -25,7 +26,8 @@ std::string base64(std::string_view bytes);
 /// `data:` address of these bytes. A picture loaded through it cannot run scripts, whatever it holds.
 std::string data_address(std::string_view media_type, std::string_view bytes);
 
-/// At most `digits` significant digits: 0.0123, 12300, 1.23 × 10⁻⁵ (UTF-8); "not finite" for NaN and infinities.
+/// At most `digits` significant digits: 0.0123, 12300, 1.23 × 10⁻⁵ (UTF-8); "not finite" for NaN and
+/// infinities.
 std::string number(double value, int digits = 3);
 /// The same, with the unit unless it is "-"; an em dash for an empty value.
 std::string number_with_unit(std::optional<double> value, std::string_view unit, int digits = 3);
@@ -39,6 +41,7 @@ std::string slug(std::string_view text);
 struct Cell {
     std::string html;
     std::string css_class;
+    std::size_t rows = 1;  ///< rows that it spans; the next rows then have one cell less
 };
 Cell text(std::string_view value);
 Cell value(std::optional<double> number_or_nothing, std::string_view unit = "-", int digits = 3);
@@ -46,7 +49,7 @@ Cell whole(double count_value);
 /// "within tolerance", "outside tolerance" or an em dash.
 Cell verdict(std::optional<bool> within);
 /// Markup that the caller made safe.
-Cell markup(std::string html, std::string css_class = "");
+Cell markup(std::string html, std::string css_class = "", std::size_t rows = 1);
 
 /// A table that scrolls inside its own box on narrow screens.
 class Table {

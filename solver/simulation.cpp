@@ -213,6 +213,13 @@ std::optional<Instability> Simulation::kick(double dt) {
     return Instability{time_ + dt, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
 }
 
+double Simulation::bytes_per_particle() const {
+    const std::size_t own = sizeof(FluidState) + 4 * sizeof(double) + sizeof(std::uint32_t);
+    const std::size_t wall = sizeof(WallState) + sizeof(double) + sizeof(std::uint32_t);
+    const auto count = static_cast<double>(fluid_.size());
+    return static_cast<double>(own) + static_cast<double>(walls_.size() * wall + list_.bytes()) / count;
+}
+
 std::optional<Instability> Simulation::step(double longest) {
     const TimeStep stable = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
                                              fluid_.water < fluid_.size());

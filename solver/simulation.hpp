@@ -66,6 +66,8 @@ class Simulation {
     const NeighbourList& neighbours() const { return list_; }
     const char* instruction_set() const { return loops_.instruction_set; }
     int threads() const { return threads_; }
+    /// Memory of particles and lists over the number of fluid particles.
+    double bytes_per_particle() const;
 
     /// Particles for a test to disturb; rates are those of the last evaluation.
     FluidParticles& disturb() { return fluid_; }

@@ -28,7 +28,7 @@ struct Model {
     double pressure_diffusion = 1;        ///< factor on the pressure jump in u*, 1 is the Riemann value
     bool hydrostatic_correction = true;   ///< the jump counts only beyond the hydrostatic one
     Dissipation dissipation = Dissipation::low_dissipation;
-    double dissipation_slope = 3;         ///< of the limiter min(slope du / c, 1), water with water
+    double dissipation_slope = 10;        ///< of the limiter min(slope du / c, 1), water with water
     double dissipation_floor = 0;         ///< least share of the full Riemann dissipation, both signs, water with water
     double air_dissipation = 0.1;         ///< share of the full Riemann dissipation in pairs with air
     Viscosity viscosity = Viscosity::none;
@@ -38,7 +38,7 @@ struct Model {
     double wall_dissipation = 3;          ///< limiter slope of the wall-normal dissipation, 0 for none
     bool tension = true;                  ///< false: density is kept at or above the reference (water without air)
 
-    double smoothing_ratio = 1.25;        ///< smoothing length / particle spacing
+    double smoothing_ratio = 1.5;         ///< smoothing length / particle spacing
     double courant_number = 0.5;          ///< of the acoustic criterion, Eq. (26) has 0.25
     double skin = 0.2;                    ///< of the neighbour list, in smoothing lengths
     int threads = 0;                      ///< 0: all that OpenMP offers

@@ -34,7 +34,8 @@ struct ComparisonResult {
     std::optional<double> time_error;  ///< scaled time of the maximum, simulated minus reference
     std::optional<double> reference_uncertainty;  ///< relative standard, k = 1; empty if unknown
     double tolerance = 0;
-    bool within = false;
+    bool within = false;    ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
+    bool available = true;  ///< false: there is no such reference file; neither a success nor a failure
     std::string note;
     std::string x_label;
     std::string y_label;
@@ -46,8 +47,8 @@ struct ComparisonResult {
 struct RunSummary {
     RunRecord record;
     std::string directory;  ///< relative to the suite's directory
-    std::optional<double> energy_error;    ///< largest growth of the total energy over the largest total energy change available, see analysis
-    std::optional<double> momentum_error;
+    std::optional<double> energy_error;    ///< see conservation.hpp
+    std::optional<double> momentum_error;  ///< see conservation.hpp
     std::vector<QuantityResult> quantities;
     std::vector<ComparisonResult> comparisons;
 };
@@ -56,7 +57,8 @@ struct ConvergenceRow {
     std::string scene, variant, qoi;
     std::vector<double> dx;     ///< [m], coarse to fine
     std::vector<double> value;
-    std::optional<double> order, extrapolated, gci_fine;
+    std::optional<double> order, extrapolated, gci_fine;  ///< see convergence.hpp
+    std::optional<double> asymptotic_ratio;  ///< 1 if a fourth spacing lies on the curve of the finest three
     bool monotone = false;
     std::string verdict;  ///< monotonic, oscillatory, divergent, not asymptotic, too few spacings
 };

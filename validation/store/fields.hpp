@@ -3,7 +3,7 @@
 // times. VTK stays behind this target.
 //
 // Data are inline base64, zlib level 1. Appended data, VTK's default, must not be used: ParaView 5.11 with a
-// current libexpat cannot open it (VTK issue 19258). One vertex cell per particle, or nothing would be drawn.
+// current libexpat cannot open it (VTK bug 19258). One vertex cell per particle, or nothing would be drawn.
 #pragma once
 
 #include <cstdint>

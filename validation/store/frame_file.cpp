@@ -7,6 +7,7 @@
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -99,14 +100,17 @@ std::vector<double> read_doubles(vtkPolyData* data, const char* name, const std:
 }
 
 /// Integers bypass GetTuple1: a double does not hold every 64-bit number.
-template <typename Array, typename Value>
-void read_integers(vtkPolyData* data, const char* name, const std::filesystem::path& path,
-                   std::vector<Value>& values) {
-    auto* array = Array::SafeDownCast(require_array(data, name, 1, path));
-    if (array == nullptr) {
+template <typename Value>
+std::vector<Value> read_integers(vtkPolyData* data, const char* name, const std::filesystem::path& path) {
+    vtkDataArray* array = require_array(data, name, 1, path);
+    // VTK reads "Int64" as long or long long, as it likes.
+    const int type = array->GetDataType();
+    const bool floating = type == VTK_FLOAT || type == VTK_DOUBLE;
+    if (floating || array->GetDataTypeSize() != int{sizeof(Value)} || array->GetDataTypeMin() >= 0) {
         throw DataError(fmt::format("{}: the point array {} has another type", path.string(), name));
     }
-    values.assign(array->Begin(), array->End());
+    const auto* values = static_cast<const Value*>(array->GetVoidPointer(0));
+    return {values, values + array->GetNumberOfTuples()};
 }
 
 void read_points(vtkPolyData* data, FieldFrame& frame, const std::filesystem::path& path) {
@@ -155,6 +159,7 @@ FieldFrame read_frame(const std::filesystem::path& path) {
     vtkNew<ErrorObserver> errors;
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->AddObserver(vtkCommand::ErrorEvent, errors);
+    reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
     reader->SetReaderErrorObserver(errors);
     reader->SetParserErrorObserver(errors);
     reader->SetFileName(path.c_str());
@@ -173,8 +178,8 @@ FieldFrame read_frame(const std::filesystem::path& path) {
     read_points(data, frame, path);
     frame.pressure = read_doubles(data, "pressure", path);
     frame.density = read_doubles(data, "density", path);
-    read_integers<vtkIntArray>(data, "phase", path, frame.phase);
-    read_integers<vtkTypeInt64Array>(data, "id", path, frame.id);
+    frame.phase = read_integers<int>(data, "phase", path);
+    frame.id = read_integers<std::int64_t>(data, "id", path);
     return frame;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "solver/core/errors.hpp"
 
@@ -172,9 +173,9 @@ Array read_array(const Node& parent, const std::string& name) {
     return array;
 }
 
-Node create_table(const Node& parent, const std::string& name, std::size_t columns,
+Node create_table(const Node& file, const std::string& name, std::size_t columns,
                   std::size_t rows_per_chunk) {
-    const std::string place = parent.place() + " /" + name;
+    const std::string place = file.place() + " /" + name;
     const char* message = "cannot create the table";
     const std::array<hsize_t, 2> empty{0, columns};
     const std::array<hsize_t, 2> largest{H5S_UNLIMITED, columns};
@@ -182,26 +183,20 @@ Node create_table(const Node& parent, const std::string& name, std::size_t colum
     const Handle space = own(H5Screate_simple(2, empty.data(), largest.data()), H5Sclose, place, message);
     const Handle layout = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, place, message);
     check(H5Pset_chunk(layout.id(), 2, chunk.data()), place, message);
-    return {own(H5Dcreate2(parent.id(), name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT, layout.id(),
+    constexpr double unwritten = std::numeric_limits<double>::quiet_NaN();
+    check(H5Pset_fill_value(layout.id(), H5T_NATIVE_DOUBLE, &unwritten), place, message);
+    return {own(H5Dcreate2(file.id(), name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT, layout.id(),
                            H5P_DEFAULT),
                 H5Dclose, place, message),
             place};
-}
-
-Node open_table(const Node& parent, const std::string& name) {
-    return open_dataset(parent, name);
-}
-
-void resize_table(const Node& table, std::size_t rows, std::size_t columns) {
-    const std::array<hsize_t, 2> extent{rows, columns};
-    check(H5Dset_extent(table.id(), extent.data()), table.place(), "cannot grow the table");
 }
 
 void append_rows(const Node& table, std::size_t rows, std::size_t columns, std::span<const double> values) {
     const char* message = "cannot add rows";
     const std::array<hsize_t, 2> start{rows, 0};
     const std::array<hsize_t, 2> count{values.size() / columns, columns};
-    resize_table(table, rows + count[0], columns);
+    const std::array<hsize_t, 2> extent{rows + count[0], columns};
+    check(H5Dset_extent(table.id(), extent.data()), table.place(), message);
     const Handle file_space = own(H5Dget_space(table.id()), H5Sclose, table.place(), message);
     const Handle memory_space =
         own(H5Screate_simple(2, count.data(), nullptr), H5Sclose, table.place(), message);

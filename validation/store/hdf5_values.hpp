@@ -33,11 +33,9 @@ struct Array {
 };
 Array read_array(const Node& parent, const std::string& name);
 
-/// An empty two-dimensional dataset that grows by rows, uncompressed (so that a flush leaves no holes).
-Node create_table(const Node& parent, const std::string& name, std::size_t columns,
-                  std::size_t rows_per_chunk);
-Node open_table(const Node& parent, const std::string& name);
-void resize_table(const Node& table, std::size_t rows, std::size_t columns);
+/// An empty two-dimensional dataset in a file, which grows by rows; uncompressed, so that flushes leave no
+/// holes. Rows that were never written read as NaN.
+Node create_table(const Node& file, const std::string& name, std::size_t columns, std::size_t rows_per_chunk);
 /// Adds whole rows behind the `rows` that the table has.
 void append_rows(const Node& table, std::size_t rows, std::size_t columns, std::span<const double> values);
 

@@ -4,8 +4,12 @@
 #include "validation/store/live_series.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
 
 #include "solver/core/errors.hpp"
+#include "validation/store/atomic_write.hpp"
 #include "validation/store/hdf5_values.hpp"
 
 namespace wetdeck {
@@ -13,11 +17,19 @@ namespace {
 
 struct LiveTable {
     std::vector<LiveColumn> columns;
-    hdf5::Array rows;
+    std::vector<double> values;  ///< row-major: the time, then the columns
 
-    std::size_t row_count() const { return rows.shape.front(); }
     std::size_t width() const { return columns.size() + 1; }
-    double time(std::size_t row) const { return rows.values[row * width()]; }
+    std::size_t rows() const { return values.size() / width(); }
+    double time(std::size_t row) const { return values[row * width()]; }
+
+    /// Keeps the rows before the first for which `is_end` holds.
+    template <typename Predicate>
+    void cut(const Predicate& is_end) {
+        std::size_t row = 0;
+        while (row < rows() && !is_end(row)) ++row;
+        values.resize(row * width());
+    }
 };
 
 std::vector<LiveColumn> read_columns(const hdf5::Node& file) {
@@ -37,12 +49,30 @@ std::vector<LiveColumn> read_columns(const hdf5::Node& file) {
 
 LiveTable read_table(const std::filesystem::path& path) {
     const hdf5::Node file = hdf5::open_file(path, hdf5::Access::read);
-    LiveTable table{read_columns(file), read_array(file, "rows")};
-    if (table.rows.shape.size() != 2 || table.rows.shape[1] != table.width()) {
+    hdf5::Array rows = read_array(file, "rows");
+    LiveTable table{read_columns(file), std::move(rows.values)};
+    if (rows.shape.size() != 2 || rows.shape[1] != table.width()) {
         throw DataError(path.string() + " /rows: expected the time and " +
                         std::to_string(table.columns.size()) + " columns");
     }
+    // A kill inside a flush can leave the table longer than its data: rows of the fill value, NaN.
+    table.cut([&](std::size_t row) {
+        return std::isnan(table.time(row)) || (row > 0 && table.time(row) <= table.time(row - 1));
+    });
     return table;
+}
+
+/// The rows with time <= `keep_until` of a live file with these columns; none if there is no such file.
+std::vector<double> rows_to_keep(const std::filesystem::path& path, const std::vector<LiveColumn>& columns,
+                                 double keep_until) {
+    try {
+        LiveTable table = read_table(path);
+        if (table.columns != columns) return {};
+        table.cut([&](std::size_t row) { return table.time(row) > keep_until; });
+        return std::move(table.values);
+    } catch (const DataError&) {  // absent, or damaged by a kill
+        return {};
+    }
 }
 
 }  // namespace
@@ -55,22 +85,11 @@ LiveSeries::LiveSeries(const std::filesystem::path& run_dir, std::vector<LiveCol
                        std::size_t rows_per_flush, double keep_until)
     : columns_(std::move(columns)), rows_per_flush_(std::max<std::size_t>(rows_per_flush, 1)) {
     const std::filesystem::path path = live_file(run_dir);
-    if (!reopen(path, keep_until)) create(path);
-}
-
-bool LiveSeries::reopen(const std::filesystem::path& path, double keep_until) {
-    try {
-        const LiveTable old = read_table(path);
-        if (old.columns != columns_) return false;
-        while (rows_ < old.row_count() && old.time(rows_) <= keep_until) ++rows_;
-        if (rows_ == 0) return false;
-        file_ = hdf5::open_file(path, hdf5::Access::append);
-        table_ = open_table(*file_, "rows");
-        resize_table(*table_, rows_, columns_.size() + 1);
-        return true;
-    } catch (const DataError&) {  // no file, or one that a kill has damaged
-        rows_ = 0;
-        return false;
+    buffer_ = rows_to_keep(path, columns_, keep_until);
+    // A new file rather than the old one reopened: a kill may have damaged what only writing would find out.
+    create(temporary_name(path));
+    if (::rename(temporary_name(path).c_str(), path.c_str()) != 0) {
+        throw environment_error(path, "replace", errno);
     }
 }
 
@@ -124,9 +143,9 @@ std::map<std::string, Series> read_live(const std::filesystem::path& run_dir) {
     std::map<std::string, Series> all;
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
         Series series{table.columns[column].unit, table.columns[column].description, {}, {}, {}};
-        for (std::size_t row = 0; row < table.row_count(); ++row) {
+        for (std::size_t row = 0; row < table.rows(); ++row) {
             series.time.push_back(table.time(row));
-            series.value.push_back(table.rows.values[row * table.width() + column + 1]);
+            series.value.push_back(table.values[row * table.width() + column + 1]);
         }
         all[table.columns[column].name] = std::move(series);
     }

@@ -45,7 +45,6 @@ class LiveSeries {
     void flush();
 
   private:
-    bool reopen(const std::filesystem::path& path, double keep_until);
     void create(const std::filesystem::path& path);
 
     std::vector<LiveColumn> columns_;
@@ -56,7 +55,8 @@ class LiveSeries {
     std::optional<hdf5::Node> table_;
 };
 
-/// The series of DIR/live.h5, by name. Throws DataError if there is none or it cannot be read.
+/// The series of DIR/live.h5, by name, up to the last row that is whole on disk. Throws DataError if there is
+/// none or it cannot be read.
 std::map<std::string, Series> read_live(const std::filesystem::path& run_dir);
 
 }  // namespace wetdeck

@@ -31,8 +31,7 @@ std::string value_in(const char* file, const std::string& key) {
 std::string host_kind() {
     utsname names{};
     ::uname(&names);
-    return fmt::format("{}, {} {} {}", value_in("/etc/os-release", "PRETTY_NAME"), names.sysname,
-                       names.release, names.machine);
+    return fmt::format("{}, {} {}", value_in("/etc/os-release", "PRETTY_NAME"), names.sysname, names.machine);
 }
 
 }  // namespace

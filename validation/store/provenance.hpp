@@ -18,7 +18,7 @@ struct Provenance {
     std::string libraries;  ///< "HDF5 1.10.8, ..."
     std::string simd;       ///< instruction set of the kernels that ran
     std::string cpu;        ///< model name
-    std::string host;       ///< operating system, kernel and machine type
+    std::string host;       ///< operating system and machine type
     unsigned cores = 0;     ///< processors this process may use
     unsigned threads = 0;
     std::string start_time;  ///< UTC, ISO 8601

@@ -11,11 +11,11 @@ namespace wetdeck {
 
 /// One recorded quantity. `value` is row-major, `time.size()` rows of `columns()` entries.
 struct Series {
-    std::string unit;             ///< SI, written "Pa", "m/s", "N s/m", "-"
-    std::string description;      ///< what is sampled and how (averaging, size), one sentence
-    std::vector<double> time;     ///< [s] since the start of the run, strictly increasing
-    std::vector<double> value;    ///< SI
-    std::vector<double> abscissa; ///< coordinates of the columns of a two-dimensional series, else empty
+    std::string unit;              ///< SI, written "Pa", "m/s", "N s/m", "-"
+    std::string description;       ///< what is sampled and how (averaging, size), one sentence
+    std::vector<double> time;      ///< [s] since the start of the run, strictly increasing
+    std::vector<double> value;     ///< SI
+    std::vector<double> abscissa;  ///< coordinates of the columns of a two-dimensional series, else empty
 
     std::size_t columns() const { return abscissa.empty() ? 1 : abscissa.size(); }
 };
@@ -29,26 +29,26 @@ RunStatus run_status_from(const std::string& text);
 /// What the run cost and what set its pace.
 struct RunCost {
     double wall_s = 0;
-    double core_s = 0;                            ///< processor time of all threads [s]
+    double core_s = 0;  ///< processor time of all threads [s]
     std::uint64_t steps = 0;
-    double particle_steps = 0;                    ///< fluid particles times steps
+    double particle_steps = 0;  ///< fluid particles times steps
     double peak_rss_mb = 0;
-    std::map<std::string, double> stage_seconds;  ///< wall seconds by stage of the time loop
+    std::map<std::string, double> stage_seconds;              ///< wall seconds by stage of the time loop
     std::map<std::string, std::uint64_t> limiting_criterion;  ///< steps whose size each criterion set
 };
 
 struct RunRecord {
     std::string scene;
     std::string variant;
-    double particle_spacing = 0;      ///< [m]
+    double particle_spacing = 0;  ///< [m]
     std::uint64_t fluid_particles = 0;
-    std::uint64_t particles = 0;      ///< fluid and boundary
+    std::uint64_t particles = 0;  ///< fluid and boundary
     RunStatus status = RunStatus::ok;
-    std::string stop_reason;          ///< one sentence: when, where, why; empty for a run that reached its end
-    std::string scene_text;           ///< the scene file as it was read
-    std::string scene_path;           ///< where it was read from
-    std::map<std::string, double> parameters;   ///< every resolved number, by dotted key, SI
-    std::map<std::string, std::string> choices; ///< every resolved name and provenance entry, by key
+    std::string stop_reason;  ///< one sentence: when, where, why; empty for a run that reached its end
+    std::string scene_text;   ///< the scene file as it was read
+    std::string scene_path;   ///< where it was read from
+    std::map<std::string, double> parameters;    ///< every resolved number, by dotted key, SI
+    std::map<std::string, std::string> choices;  ///< every resolved name and provenance entry, by key
     std::map<std::string, Series> series;
     RunCost cost;
 };

@@ -85,6 +85,15 @@ void write_cost(const Node& file, const RunCost& cost) {
         write_attribute(criteria, criterion, steps);
 }
 
+RunStatus read_status(const Node& meta) {
+    const std::string text = read_text(meta, "status");
+    try {
+        return run_status_from(text);
+    } catch (const DataError& error) {
+        throw DataError(meta.place() + ": " + error.what());
+    }
+}
+
 void read_meta(const Node& file, RunRecord& record) {
     const Node meta = open_group(file, "meta");
     if (const std::uint64_t found = read_unsigned(meta, "schema"); found != schema) {
@@ -96,7 +105,7 @@ void read_meta(const Node& file, RunRecord& record) {
     record.particle_spacing = read_double(meta, "particle_spacing");
     record.fluid_particles = read_unsigned(meta, "fluid_particles");
     record.particles = read_unsigned(meta, "particles");
-    record.status = run_status_from(read_text(meta, "status"));
+    record.status = read_status(meta);
     record.stop_reason = read_text(meta, "stop_reason");
     record.scene_text = read_text(meta, "scene_text");
     record.scene_path = read_text(meta, "scene_path");

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The first page: what was run, what failed, what it cost, against what error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "reports/html.hpp"
+#include "reports/parts.hpp"
+
+namespace wetdeck::report {
+namespace {
+
+struct Tally {
+    std::size_t within = 0;
+    std::size_t judged = 0;
+
+    void take(std::optional<bool> verdict) {
+        if (!verdict) return;
+        ++judged;
+        if (*verdict) ++within;
+    }
+};
+
+std::string card(std::string_view figure, std::string_view words, std::string_view css_class = "") {
+    return fmt::format("<div class=\"card {}\"><b>{}</b><span>{}</span></div>\n", css_class, escape(figure),
+                       escape(words));
+}
+
+std::string tally_card(const Tally& tally, std::string_view words) {
+    const bool all = tally.within == tally.judged;
+    return card(fmt::format("{} of {}", tally.within, tally.judged), words,
+                tally.judged == 0 ? "" : (all ? "good" : "bad"));
+}
+
+std::string properties(const std::vector<std::pair<std::string, std::string>>& entries) {
+    std::string out;
+    for (const auto& [name, content] : entries) out += (out.empty() ? "" : " · ") + name + " " + content;
+    return out.empty() ? "" : paragraph(out, "soft");
+}
+
+/// Steps by what set their size, the most frequent first.
+std::string limiting_text(const RunCost& cost) {
+    std::vector<std::pair<std::string, std::uint64_t>> criteria(cost.limiting_criterion.begin(),
+                                                                cost.limiting_criterion.end());
+    std::stable_sort(criteria.begin(), criteria.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    double total = 0;
+    for (const auto& entry : criteria) total += static_cast<double>(entry.second);
+    std::string out;
+    for (const auto& [name, steps] : criteria) {
+        if (steps == 0) continue;
+        out += fmt::format("{}{} {} %", out.empty() ? "" : ", ", name,
+                           number(100 * static_cast<double>(steps) / total));
+    }
+    return out.empty() ? "—" : out;
+}
+
+std::vector<Cell> cost_cells(const RunRecord& record) {
+    const RunCost& cost = record.cost;
+    const auto rate = cost.wall_s > 0 ? std::optional(cost.particle_steps / cost.wall_s) : std::nullopt;
+    return {value(record.particle_spacing, "-", 4),
+            status_cell(record),
+            whole(static_cast<double>(record.particles)),
+            whole(static_cast<double>(cost.steps)),
+            value(cost.wall_s),
+            value(cost.core_s),
+            value(rate),
+            value(cost.peak_rss_mb),
+            markup(escape(limiting_text(cost)), "number")};
+}
+
+std::string runs_table(const Summary& summary) {
+    Table table({"scene", "variant", "dx [m]", "status", "particles", "steps", "wall [s]", "core-seconds",
+                 "particle-steps/s", "memory [MB]", "step limited by"});
+    for (const AnalysisSpec& scene : scenes_of(summary)) {
+        const Runs runs = runs_of(summary, scene);
+        for (const std::string& variant : variants_of(runs)) {
+            const Runs rows = with_variant(runs, variant);
+            for (const RunSummary* run : rows) {
+                std::vector<Cell> cells = cost_cells(run->record);
+                if (run == rows.front())
+                    cells.insert(cells.begin(), {markup(escape(variant), "name", rows.size())});
+                if (run == runs.front())
+                    cells.insert(cells.begin(), {markup(escape(scene.scene), "name", runs.size())});
+                table.add(cells);
+            }
+        }
+    }
+    for (const std::string& missing : summary.missing) {
+        const Cell badge = markup("<span class=\"badge bad\">missing</span>");
+        std::vector<Cell> cells(11, text("—"));
+        cells[0] = text(missing);
+        cells[3] = badge;
+        table.add(cells);
+    }
+    return table.empty() ? paragraph("There are no runs.", "notice") : table.html();
+}
+
+/// The program revisions behind the runs, oldest first: old results are seen at a glance.
+std::string revisions_table(const Summary& summary) {
+    struct Entry {
+        std::string first, last;
+        std::size_t runs = 0;
+    };
+    std::map<std::string, Entry> revisions;
+    for (const RunSummary& run : summary.runs) {
+        const auto found = run.record.choices.find("start_time");
+        const std::string start = found == run.record.choices.end() ? "unknown" : found->second;
+        Entry& entry = revisions[revision_of(run)];
+        entry.first = entry.runs == 0 ? start : std::min(entry.first, start);
+        entry.last = std::max(entry.last, start);
+        ++entry.runs;
+    }
+    std::vector<std::pair<std::string, Entry>> sorted(revisions.begin(), revisions.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.second.first < b.second.first; });
+    Table table({"revision of the program that ran", "runs", "first start", "last start"});
+    for (const auto& [revision, entry] : sorted) {
+        table.add({text(revision), whole(static_cast<double>(entry.runs)),
+                   markup(escape(entry.first), "name"), markup(escape(entry.last), "name")});
+    }
+    return table.html();
+}
+
+}  // namespace
+
+std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page) {
+    Tally ended, quantities, references, peers;
+    for (const RunSummary& run : summary.runs) {
+        ended.take(run.record.status == RunStatus::ok);
+        for (const QuantityResult& q : run.quantities) quantities.take(q.within);
+        for (const ComparisonResult& c : run.comparisons) {
+            (c.kind == "peer-simulation" ? peers : references).take(verdict_of(c));
+        }
+    }
+    std::string out = paragraph(
+        "Two-phase Riemann-SPH of bodies and water columns hitting water and walls, compared with "
+        "measurements, exact solutions and other simulations.",
+        "lead");
+    out += "<div class=\"cards\">\n" + tally_card(ended, "runs reached their end");
+    out += card(std::to_string(summary.missing.size()), "runs missing",
+                summary.missing.empty() ? "good" : "bad");
+    out += tally_card(quantities, "expected values within tolerance, all spacings");
+    out += tally_card(references, "reference curves met within tolerance, all spacings");
+    if (peers.judged > 0) out += tally_card(peers, "peer simulations met within tolerance, all spacings");
+    out += "</div>\n";
+    if (!summary.missing.empty()) {
+        out += paragraph(
+            "This report is incomplete: runs that the tier asks for are missing. They are listed under "
+            "Failures.",
+            "notice");
+    }
+    if (!page.draws_static()) {
+        out += paragraph(page.draws_interactive()
+                             ? "gnuplot was not found when this report was written: figures need JavaScript "
+                               "and do not print."
+                             : "gnuplot was not found and plotly.js was not built in: there are no drawings, "
+                               "only the tables and the CSV files of each figure.",
+                         "notice");
+    } else if (!page.draws_interactive()) {
+        out += paragraph("plotly.js was not built into this program: the figures are static.", "notice");
+    }
+    return out + properties(inputs.program) + properties(inputs.machine) +
+           (inputs.note.empty() ? "" : paragraph(inputs.note, "soft"));
+}
+
+void add_front_part(Page& page, const Summary& summary) {
+    page.section(2, "Runs");
+    page.add(runs_table(summary));
+
+    page.section(2, "Speed against error");
+    page.add(
+        paragraph("Every point is a run, labelled with its spacing; lines join the spacings of a variant. "
+                  "Rings mark the runs that no other run beats in both cost and error. Variants compare "
+                  "fairly at equal error, not at equal spacing."));
+    std::vector<Figure> figures;
+    for (const AnalysisSpec& scene : scenes_of(summary)) {
+        Figure figure = speed_error_figure(summary, scene);
+        if (!figure.series.empty()) figures.push_back(std::move(figure));
+    }
+    page.add_figures(figures);
+    if (figures.empty()) page.add(paragraph("No run has both a cost and an error.", "soft"));
+
+    page.section(2, "Revisions");
+    page.add(revisions_table(summary));
+}
+
+}  // namespace wetdeck::report

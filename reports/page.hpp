@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page as it grows: sections, contents, figures; and the frame around them.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/figure.hpp"
+
+namespace wetdeck::report {
+
+class Page {
+  public:
+    /// Figures go to DIR/figures; `plotly` is the library's text or empty.
+    Page(std::filesystem::path directory, std::string plotly);
+
+    /// Opens a section: level 2 is a chapter, 3 a section of it. Both are in the table of contents.
+    void section(int level, std::string_view title);
+    /// Safe markup.
+    void add(const std::string& html) { body_ += html; }
+    /// Writes the figure's files and returns its markup.
+    std::string figure(Figure figure);
+    /// Figures side by side where there is room.
+    void add_figures(const std::vector<Figure>& figures);
+
+    /// The whole page. `header` is safe markup below the title.
+    std::string html(std::string_view title, const std::string& header) const;
+
+    bool draws_static() const { return gnuplot_; }
+    bool draws_interactive() const { return !plotly_.empty(); }
+    /// Removes drawings and tables in DIR/figures that this page does not have.
+    void remove_stale_figures() const;
+
+  private:
+    std::string static_drawing(const Figure& figure);
+
+    std::filesystem::path figures_;
+    std::string plotly_;
+    bool gnuplot_;
+    std::string body_;
+    std::string contents_;
+    std::set<std::string> names_;  ///< of figures and sections
+    std::set<std::string> files_;  ///< written to DIR/figures
+};
+
+}  // namespace wetdeck::report

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of the report, in the order of the page. Each adds to the page and knows nothing of the others.
+#pragma once
+
+#include "reports/html.hpp"
+#include "reports/page.hpp"
+#include "reports/report.hpp"
+#include "reports/selection.hpp"
+
+namespace wetdeck::report {
+
+/// Counts and words below the title.
+std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page);
+/// Runs that died or are missing; values and curves outside tolerance.
+void add_failures(Page& page, const Summary& summary);
+/// Table of runs, speed against error, revisions.
+void add_front_part(Page& page, const Summary& summary);
+
+/// One scene, from purpose to provenance.
+void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scene,
+                    const ReportInputs& inputs);
+
+/// Tables of a scene (markup).
+std::string deviations_table(const AnalysisSpec& scene);
+std::string quantities_table(const Runs& runs);
+std::string comparison_tables(const Runs& runs);
+std::string convergence_table(const Summary& summary, const AnalysisSpec& scene);
+std::string cost_table(const Runs& runs);
+std::string provenance_table(const Runs& runs);
+
+/// Figures of a scene. `variant` is its place among the scene's variants and chooses the hue.
+std::vector<Figure> comparison_figures(const AnalysisSpec& scene, const Runs& runs_of_variant,
+                                       std::size_t variant);
+std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs);
+std::vector<Figure> convergence_figures(const Summary& summary, const AnalysisSpec& scene);
+Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene);
+
+/// Energies and other balances.
+std::vector<Figure> energy_figures(const Runs& runs_of_variant, std::size_t variant);
+std::string conservation_table(const Runs& runs);
+
+/// Empty where there is no reference to compare with; false also where the run did not get far enough.
+std::optional<bool> verdict_of(const ComparisonResult& comparison);
+Cell status_cell(const RunRecord& record);
+
+/// "measurements", "other simulations ...", ... as written for readers.
+std::string kind_name(const std::string& kind);
+
+}  // namespace wetdeck::report

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Puts the parts of the report together.
+#include "reports/report.hpp"
+
+#include "reports/parts.hpp"
+#include "validation/store/atomic_write.hpp"
+
+namespace wetdeck::report {
+
+void write_report(const std::filesystem::path& directory, const Summary& summary,
+                  const ReportInputs& inputs) {
+    Page page(directory, inputs.plotly);
+    add_failures(page, summary);
+    add_front_part(page, summary);
+    for (const AnalysisSpec& scene : scenes_of(summary)) add_scene_part(page, summary, scene, inputs);
+
+    std::string title = "wetdeck report, tier " + (summary.tier.empty() ? "unknown" : summary.tier);
+    if (!summary.missing.empty()) title = "INCOMPLETE: " + title;
+    atomic_write(directory / "index.html", page.html(title, header_markup(summary, inputs, page)));
+    page.remove_stale_figures();
+}
+
+}  // namespace wetdeck::report

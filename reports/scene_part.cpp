@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The chapter of a scene.
+#include <fmt/format.h>
+
+#include "reports/html.hpp"
+#include "reports/parts.hpp"
+
+namespace wetdeck::report {
+namespace {
+
+std::string colour_bar_markup(const ColourBar& bar) {
+    std::string colours;
+    for (const std::string& colour : bar.colours) colours += "," + colour;
+    return fmt::format(
+        "<div class=\"colourbar\"><span>{}</span><i style=\"background:linear-gradient(to right{})\"></i>"
+        "<span>{}</span><span>{}</span></div>\n",
+        escape(number(bar.low)), escape(colours), escape(number_with_unit(bar.high, bar.unit)),
+        escape(bar.label));
+}
+
+std::string picture_markup(const Picture& picture) {
+    const std::string title = fmt::format("{}, t = {}", picture.title, number_with_unit(picture.time, "s"));
+    std::string bars;
+    for (const ColourBar& bar : picture.colour_bars) bars += colour_bar_markup(bar);
+    return fmt::format(
+        "<figure><figcaption>{0}</figcaption>\n<img class=\"field\" alt=\"{0}\" "
+        "src=\"data:image/png;base64,{1}\">\n{2}"
+        "</figure>\n",
+        escape(title), base64(picture.png), bars);
+}
+
+void add_pictures(Page& page, const Runs& runs, const ReportInputs& inputs) {
+    bool first = true;
+    for (const RunSummary* run : runs) {
+        const auto pictures = inputs.pictures.find(run->directory);
+        if (pictures == inputs.pictures.end() || pictures->second.empty()) continue;
+        std::string html = "<div class=\"figures\">\n";
+        for (const Picture& picture : pictures->second) html += picture_markup(picture);
+        if (first) page.section(3, "Fields");
+        page.add(details(run_name(*run), html + "</div>\n", first));
+        first = false;
+    }
+}
+
+/// One block per variant: the first open, the others a click away.
+template <typename Figures>
+void add_by_variant(Page& page, const Runs& runs, Figures&& figures_of) {
+    const std::vector<std::string> variants = variants_of(runs);
+    for (std::size_t v = 0; v < variants.size(); ++v) {
+        const std::vector<Figure> figures = figures_of(with_variant(runs, variants[v]), v);
+        if (figures.empty()) continue;
+        if (v > 0) page.add("<details><summary>Variant " + escape(variants[v]) + "</summary>\n");
+        page.add_figures(figures);
+        if (v > 0) page.add("</details>\n");
+    }
+}
+
+void add_set_up(Page& page, const AnalysisSpec& scene, const ReportInputs& inputs) {
+    page.section(2, scene.title.empty() ? scene.scene : scene.title);
+    if (!scene.purpose.empty()) page.add(paragraph(scene.purpose, "lead"));
+    if (!scene.source.empty()) page.add(paragraph("Source: " + scene.source, "soft"));
+    const auto sketch = inputs.sketches.find(scene.scene);
+    if (sketch != inputs.sketches.end()) {
+        page.add(fmt::format("<img class=\"sketch\" alt=\"Set-up of the scene\" src=\"{}\">\n",
+                             data_address("image/svg+xml", sketch->second)));
+    }
+    page.section(3, "Deviations from the source");
+    page.add(scene.deviations.empty() ? paragraph("None stated.", "soft") : deviations_table(scene));
+}
+
+void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
+    page.section(3, "Curves against references");
+    page.add(
+        paragraph("Simulations: solid lines, the finest spacing darkest. Exact solutions: dashed black. "
+                  "Measurements: black points, with bars or a band of one standard uncertainty where it is "
+                  "known. Other simulations: thin grey; agreement with them is no validation. The shaded "
+                  "interval is where the errors are taken."));
+    add_by_variant(page, runs,
+                   [&](const Runs& some, std::size_t v) { return comparison_figures(scene, some, v); });
+    page.add_figures(variant_figures(scene, runs));
+    page.section(3, "Errors against references");
+    page.add(comparison_tables(runs));
+    page.add(paragraph(
+        "nrmse: root mean square difference over the range of the reference, both within the interval. Peak: "
+        "largest simulated minus largest reference value, over the latter. Time: of the largest value, "
+        "simulated minus reference, in the units of the axis. Reference uncertainty: relative, one standard "
+        "deviation; where it is unknown the difference cannot be called an error of the model.",
+        "soft"));
+}
+
+void add_provenance(Page& page, const Runs& runs) {
+    page.section(3, "Provenance");
+    page.add(provenance_table(runs));
+    const RunRecord& record = finest_of_each(runs).front()->record;
+    if (!record.parameters.empty()) {
+        Table table({"key", "value (SI)"});
+        for (const auto& [key, content] : record.parameters) table.add({text(key), value(content, "-", 4)});
+        page.add(details("Resolved numbers of " + run_name(*finest_of_each(runs).front()), table.html()));
+    }
+    if (!record.scene_text.empty()) {
+        page.add(details("Scene file as it was read", "<pre>" + escape(record.scene_text) + "</pre>\n"));
+    }
+}
+
+}  // namespace
+
+void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scene,
+                    const ReportInputs& inputs) {
+    add_set_up(page, scene, inputs);
+    const Runs runs = runs_of(summary, scene);
+    if (runs.empty()) {
+        page.add(paragraph("No run of this scene is in the directory.", "notice"));
+        return;
+    }
+    page.section(3, "Quantities of interest");
+    page.add(quantities_table(runs));
+    add_comparisons(page, scene, runs);
+
+    page.section(3, "Convergence");
+    page.add(convergence_table(summary, scene));
+    page.add_figures(convergence_figures(summary, scene));
+
+    page.section(3, "Conservation");
+    page.add(conservation_table(runs));
+    add_by_variant(page, runs, energy_figures);
+
+    page.section(3, "Cost");
+    page.add(cost_table(runs));
+    add_pictures(page, runs, inputs);
+
+    page.section(3, "Limits of validity");
+    std::string limits;
+    for (const std::string& limit : scene.limits) limits += "<li>" + escape(limit) + "</li>\n";
+    page.add(limits.empty() ? paragraph("None stated.", "soft") : "<ul>\n" + limits + "</ul>\n");
+    add_provenance(page, runs);
+}
+
+}  // namespace wetdeck::report

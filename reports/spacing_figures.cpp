@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The figures of a scene over its spacings: convergence of the quantities, speed against error.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "reports/html.hpp"
+#include "reports/parts.hpp"
+
+namespace wetdeck::report {
+namespace {
+
+/// What the quantity should be, as a band over all spacings.
+void add_expected(Figure& figure, const AnalysisSpec& scene, const std::string& quantity, double dx_max) {
+    for (const QuantitySpec& spec : scene.quantities) {
+        if (spec.name != quantity || !spec.expected) continue;
+        const double spread = spec.tolerance.value_or(0);
+        PlotSeries band;
+        band.style = Style::band;
+        band.label = "expected, with its tolerance";
+        band.colour = "#6b7681";
+        band.data = {{0, dx_max}, {*spec.expected, *spec.expected}};
+        band.low.assign(2, *spec.expected - spread);
+        band.high.assign(2, *spec.expected + spread);
+        figure.series.push_back(std::move(band));
+    }
+}
+
+std::string unit_of_quantity(const AnalysisSpec& scene, const std::string& quantity) {
+    for (const QuantitySpec& spec : scene.quantities) {
+        if (spec.name == quantity) return spec.unit;
+    }
+    return "-";
+}
+
+}  // namespace
+
+std::vector<Figure> convergence_figures(const Summary& summary, const AnalysisSpec& scene) {
+    std::map<std::string, std::vector<const ConvergenceRow*>> by_quantity;
+    for (const ConvergenceRow& row : summary.convergence) {
+        if (row.scene == scene.scene && row.dx.size() > 1 && row.dx.size() == row.value.size()) {
+            by_quantity[row.qoi].push_back(&row);
+        }
+    }
+    const std::vector<std::string> variants = variants_of(runs_of(summary, scene));
+    std::vector<Figure> figures;
+    for (const auto& [quantity, rows] : by_quantity) {
+        Figure figure;
+        figure.name = fmt::format("{}-convergence-{}", scene.scene, quantity);
+        figure.title = fmt::format("{}: {} by spacing", scene.scene, quantity);
+        figure.x = {"particle spacing dx", "m", false, {}};
+        figure.y = {quantity, unit_of_quantity(scene, quantity), false, {}};
+        double dx_max = 0;
+        for (const ConvergenceRow* row : rows)
+            dx_max = std::max(dx_max, *std::max_element(row->dx.begin(), row->dx.end()));
+        figure.x.range = Window{-0.02 * dx_max, 1.05 * dx_max};  // towards the limit of no spacing
+        add_expected(figure, scene, quantity, dx_max);
+        for (const ConvergenceRow* row : rows) {
+            const auto place = std::find(variants.begin(), variants.end(), row->variant) - variants.begin();
+            PlotSeries s;
+            s.style = Style::line_and_points;
+            s.label = row->variant + ", " + row->verdict;
+            s.data = {row->dx, row->value};
+            s.colour = variant_colour(static_cast<std::size_t>(place));
+            PlotSeries limit = s;
+            figure.series.push_back(std::move(s));
+            if (!row->extrapolated) continue;
+            limit.style = Style::points;
+            limit.filled = false;
+            limit.point_size = 9;
+            limit.label = row->variant + ", extrapolated";
+            limit.data = {{0}, {*row->extrapolated}};
+            figure.series.push_back(std::move(limit));
+        }
+        figures.push_back(std::move(figure));
+    }
+    return figures;
+}
+
+Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
+    std::map<std::string, std::vector<const SpeedErrorPoint*>> by_variant;
+    for (const SpeedErrorPoint& point : summary.speed_error) {
+        if (point.scene == scene.scene && point.error && *point.error > 0 && point.core_s > 0) {
+            by_variant[point.variant].push_back(&point);
+        }
+    }
+    Figure figure;
+    figure.name = scene.scene + "-speed-error";
+    figure.title = scene.scene + ": speed against error";
+    figure.caption =
+        "Error: " + (scene.error_quantity.empty() ? "as chosen by the scene" : scene.error_quantity) + ".";
+    figure.x = {"cost", "core-seconds", true, {}};
+    figure.y = {"error: " + scene.error_quantity, unit_of_quantity(scene, scene.error_quantity), true, {}};
+    const std::vector<std::string> variants = variants_of(runs_of(summary, scene));
+    PlotSeries best;
+    best.style = Style::points;
+    best.filled = false;
+    best.point_size = 13;
+    best.colour = "#111111";
+    best.label = "not beaten in both (Pareto)";
+    for (auto& [variant, points] : by_variant) {
+        std::sort(points.begin(), points.end(), [](const auto* a, const auto* b) { return a->dx > b->dx; });
+        const auto place = std::find(variants.begin(), variants.end(), variant) - variants.begin();
+        PlotSeries s;
+        s.style = Style::line_and_points;
+        s.label = variant;
+        s.colour = variant_colour(static_cast<std::size_t>(place));
+        for (const SpeedErrorPoint* point : points) {
+            s.data.x.push_back(point->core_s);
+            s.data.y.push_back(*point->error);
+            s.point_labels.push_back(spacing_text(point->dx));
+            if (!point->pareto) continue;
+            best.data.x.push_back(point->core_s);
+            best.data.y.push_back(*point->error);
+        }
+        figure.series.push_back(std::move(s));
+    }
+    if (!best.data.x.empty()) figure.series.push_back(std::move(best));
+    return figure;
+}
+
+}  // namespace wetdeck::report

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What no wall can take away: momentum, mass, the path of the mass centre.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "solver/probes/energy.hpp"
+#include "tests/support/samples.hpp"
+
+using namespace wetdeck;
+using samples::two_phase_model;
+
+namespace {
+
+/// Sum of m |v| [N s/m]: what rounding errors of momentum are measured against.
+double momentum_scale(const Simulation& simulation) {
+    double sum = 0;
+    for (std::size_t i = 0; i < simulation.fluid().size(); ++i) {
+        sum += simulation.fluid().mass[i] * simulation.fluid().state[i].velocity().norm();
+    }
+    return sum;
+}
+
+Vec2 mass_centre(const Simulation& simulation) {
+    Vec2 sum = Vec2::Zero();
+    double mass = 0;
+    for (std::size_t i = 0; i < simulation.fluid().size(); ++i) {
+        sum += simulation.fluid().mass[i] * simulation.fluid().state[i].position();
+        mass += simulation.fluid().mass[i];
+    }
+    return sum / mass;
+}
+
+}  // namespace
+
+TEST_CASE("Momentum of a free two-phase blob is kept to rounding over 200 steps", "[conservation]") {
+    Model model = GENERATE(two_phase_model(), samples::paper_model());
+    model.velocity_mean =
+        Mean::impedance_weighted;  // the paper's mean of velocities ends the run within few steps
+    model.gravity = Vec2::Zero();
+    model.hydrostatic_correction = false;
+    Simulation simulation = samples::shaken_blob(model, 11).simulate();
+    const Balance before = balance(simulation);
+    for (int n = 0; n < 200; ++n) REQUIRE_FALSE(simulation.step(1));
+    CHECK((balance(simulation).momentum - before.momentum).norm() < 1e-12 * momentum_scale(simulation));
+    CHECK(balance(simulation).mass == Approx(before.mass).epsilon(1e-14));
+    REQUIRE(simulation.list_builds() > 3);
+}
+
+TEST_CASE("The mass centre of a free blob falls as a stone does, whatever goes on inside", "[conservation]") {
+    samples::Setup setup = samples::shaken_blob(two_phase_model(), 12);
+    setup.model.gravity = {1.5, -9.81};
+    Simulation simulation = setup.simulate();
+    const Vec2 start = mass_centre(simulation);
+    const Vec2 velocity = balance(simulation).momentum / balance(simulation).mass;
+    while (simulation.time() < 0.03) REQUIRE_FALSE(simulation.step(0.03 - simulation.time()));
+    const Vec2 fall = 0.03 * velocity + 0.5 * 0.03 * 0.03 * setup.model.gravity;
+    // velocity Verlet is exact for a constant acceleration: what is left is rounding
+    CHECK((mass_centre(simulation) - start - fall).norm() < 1e-12 * fall.norm());
+}
+
+TEST_CASE("A blob at its reference density falls as one piece, exactly", "[conservation]") {
+    samples::Setup setup = samples::shaken_blob(two_phase_model(), 13);
+    setup.model.hydrostatic_correction =
+        false;  // it takes out a pressure jump that a falling fluid does not have
+    for (std::size_t i = 0; i < setup.fluid.size(); ++i) {
+        FluidState& p = setup.fluid.state[i];
+        const TaitEquationOfState& eos =
+            setup.fluid.phase(i) == Phase::water ? setup.model.water.eos : setup.model.air.eos;
+        p.density = eos.reference_density;
+        p.vx = 0.5;
+        p.vy = 1;
+    }
+    setup.model.water.eos.background_pressure = setup.model.air.eos.background_pressure = 0;
+    Simulation simulation = setup.simulate();
+    while (simulation.time() < 0.05) REQUIRE_FALSE(simulation.step(0.05 - simulation.time()));
+    const Vec2 fall = Vec2(0.5, 1) * 0.05 + 0.5 * 0.05 * 0.05 * Vec2(0, -9.81);
+    const std::vector<FluidState> states = samples::by_id(simulation.fluid());
+    double worst = 0;
+    for (std::size_t id = 0; id < states.size(); ++id) {
+        worst = std::max(worst, (states[id].position() - setup.fluid.state[id].position() - fall).norm());
+    }
+    CHECK(worst < 1e-12 * fall.norm());
+}

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/reference_rates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/kernel/wendland_c2.hpp"
+
+namespace wetdeck::samples {
+namespace {
+
+const Material& material(const Model& model, Phase phase) {
+    return phase == Phase::water ? model.water : model.air;
+}
+
+/// What a side of a pair weighs in the mean of velocities; in that of pressures the other side weighs that.
+double weight(Mean mean, const Material& side) {
+    if (mean == Mean::density_weighted) return side.eos.reference_density;
+    if (mean == Mean::impedance_weighted) return side.impedance();
+    return 1;
+}
+
+/// One ordered pair of fluid particles; e points from the left one to the right one.
+struct Pair {
+    const Model& model;
+    const FluidState &left, &right;
+    const Material &left_material, &right_material;
+    bool with_air;
+
+    Vec2 offset() const { return left.position() - right.position(); }
+    double distance() const { return offset().norm(); }
+    Vec2 e() const { return -offset() / distance(); }
+    double u_left() const { return left.velocity().dot(e()); }
+    double u_right() const { return right.velocity().dot(e()); }
+    double left_impedance() const { return left_material.impedance(); }
+    double right_impedance() const { return right_material.impedance(); }
+    double mean_density() const {
+        return harmonic_mean(left_material.eos.reference_density, right_material.eos.reference_density);
+    }
+    double mean_impedance() const { return harmonic_mean(left_impedance(), right_impedance()); }
+
+    /// Eq. (10), without the hydrostatic part of the jump where the model says so.
+    double u_star() const {
+        double jump = left.pressure - right.pressure;
+        if (model.hydrostatic_correction) jump -= mean_density() * model.gravity.dot(offset());
+        if (model.velocity_mean == Mean::harmonic) {
+            const double guard = 1e-12 * model.water.eos.sound_speed;
+            return guarded_harmonic_mean(u_left(), u_right(), guard) +
+                   model.pressure_diffusion * jump / (2 * mean_impedance());
+        }
+        const double a = weight(model.velocity_mean, left_material);
+        const double b = weight(model.velocity_mean, right_material);
+        return (a * u_left() + b * u_right()) / (a + b) +
+               model.pressure_diffusion * jump / (left_impedance() + right_impedance());
+    }
+
+    double mean_pressure() const {
+        if (model.pressure_mean == Mean::harmonic) {
+            return guarded_harmonic_mean(left.pressure, right.pressure,
+                                         1e-12 * model.water.eos.coefficient());
+        }
+        const double a = weight(model.pressure_mean, left_material);
+        const double b = weight(model.pressure_mean, right_material);
+        return (b * left.pressure + a * right.pressure) / (a + b);
+    }
+
+    double dissipation(double jump) const {
+        if (model.dissipation == Dissipation::none) return 0;
+        DissipationLimiter limiter{0.5 * mean_impedance(), 0, 1};
+        if (model.dissipation == Dissipation::low_dissipation) {
+            limiter.slope_over_speed = with_air ? 0 : model.dissipation_slope / left_material.eos.sound_speed;
+            limiter.floor = with_air ? model.air_dissipation : model.dissipation_floor;
+        }
+        return riemann_dissipation(jump, limiter);
+    }
+
+    /// Eq. (13)
+    double viscous_pressure(double jump, double smoothing_length) const {
+        if (model.viscosity == Viscosity::none) return 0;
+        if (left_material.viscosity <= 0 || right_material.viscosity <= 0) return 0;
+        if (model.viscosity == Viscosity::approaching && jump <= 0) return 0;
+        const double viscosity = harmonic_mean(left_material.viscosity, right_material.viscosity);
+        return viscosity_lambda(model.viscosity) * viscosity * jump / smoothing_length;
+    }
+
+    /// Eq. (14)
+    double switch_pressure(double jump) const {
+        if (!model.dissipation_switch || std::max(left.impact, right.impact) == 0) return 0;
+        return 0.5 * mean_density() * std::abs(0.5 * (u_left() + u_right())) * jump;
+    }
+
+    double p_star(double smoothing_length) const {
+        const double jump = u_left() - u_right();
+        return mean_pressure() + dissipation(jump) + viscous_pressure(jump, smoothing_length) +
+               switch_pressure(jump);
+    }
+};
+
+Pair pair_of(const FluidParticles& fluid, std::size_t i, std::size_t j, const Model& model) {
+    const bool with_air = fluid.phase(i) == Phase::air || fluid.phase(j) == Phase::air;
+    return {model,
+            fluid.state[i],
+            fluid.state[j],
+            material(model, fluid.phase(i)),
+            material(model, fluid.phase(j)),
+            with_air};
+}
+
+bool sees_mean_pressure(const Model& model, Phase phase) {
+    return model.wall_pressure == WallPressure::shepard ||
+           (model.wall_pressure == WallPressure::shepard_water && phase == Phase::water);
+}
+
+/// |dW/dr|
+double kernel_slope(const WendlandC2& kernel, double distance) {
+    return kernel.slope_over_distance(distance) * distance;
+}
+
+/// Eq. (19)
+double shepard_pressure(const WallState& wall, const FluidParticles& fluid, const Model& model,
+                        const WendlandC2& kernel) {
+    const Vec2 drive = Vec2(wall.ax, wall.ay) - model.gravity;
+    double sum = 0, weights = 0;
+    for (std::size_t f = 0; f < fluid.size(); ++f) {
+        if (!sees_mean_pressure(model, fluid.phase(f))) continue;
+        const FluidState& p = fluid.state[f];
+        const Vec2 offset = Vec2(wall.x, wall.y) - p.position();
+        const double w = kernel.value(offset.norm());
+        sum += w * (p.pressure + p.density * drive.dot(offset));
+        weights += w;
+    }
+    return weights > 0 ? sum / weights : 0;
+}
+
+}  // namespace
+
+Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, const Model& model,
+                      double particle_spacing) {
+    const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};
+    const double wall_volume = particle_spacing * particle_spacing;
+    Rates rates;
+    for (const WallState& wall : walls.state) {
+        rates.wall_pressure.push_back(shepard_pressure(wall, fluid, model, kernel));
+    }
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const FluidState& p = fluid.state[i];
+        double compression = 0;
+        Vec2 push = Vec2::Zero();
+        for (std::size_t j = 0; j < fluid.size(); ++j) {
+            if (j == i) continue;
+            const Pair pair = pair_of(fluid, i, j, model);
+            const double slope = fluid.state[j].volume * kernel_slope(kernel, pair.distance());
+            compression += slope * (pair.u_left() - pair.u_star());
+            push -= slope * pair.p_star(kernel.smoothing_length) * pair.e();
+        }
+        for (std::size_t w = 0; w < walls.size(); ++w) {
+            const WallState& wall = walls.state[w];
+            const Vec2 offset = p.position() - Vec2(wall.x, wall.y), normal(wall.nx, wall.ny);
+            const Vec2 e = -offset.normalized(), velocity = p.velocity() - Vec2(wall.vx, wall.vy);
+            const Material& side = material(model, fluid.phase(i));
+            const double slope = wall_volume * kernel_slope(kernel, offset.norm());
+            compression += slope * velocity.dot(normal) * normal.dot(e);
+            const double behind =
+                sees_mean_pressure(model, fluid.phase(i))
+                    ? rates.wall_pressure[w]
+                    : one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
+                                         wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
+            const DissipationLimiter limiter{side.impedance(), model.wall_dissipation / side.eos.sound_speed,
+                                             0};
+            double p_star = 0.5 * (p.pressure + behind) + riemann_dissipation(-velocity.dot(normal), limiter);
+            const double jump = 2 * velocity.dot(e);
+            if (model.wall_slip == WallSlip::no && model.viscosity != Viscosity::none &&
+                (model.viscosity == Viscosity::symmetric || jump > 0)) {
+                p_star += viscosity_lambda(model.viscosity) * side.viscosity * jump / kernel.smoothing_length;
+            }
+            push -= slope * p_star * e;
+        }
+        const Vec2 acceleration = 2 / p.density * push + model.gravity;
+        rates.density.push_back(2 * p.density * compression);
+        rates.acceleration_x.push_back(acceleration.x());
+        rates.acceleration_y.push_back(acceleration.y());
+    }
+    return rates;
+}
+
+Vec2 reference_pair_force(const FluidParticles& fluid, std::size_t i, std::size_t j, const Model& model,
+                          double particle_spacing) {
+    const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};
+    const Pair pair = pair_of(fluid, i, j, model);
+    return 2 * pair.left.volume * pair.right.volume * pair.p_star(kernel.smoothing_length) *
+           kernel_slope(kernel, pair.distance()) * pair.e();
+}
+
+}  // namespace wetdeck::samples

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rates of all particles by the plainest means: every pair, one after another, straight from the formulas
+// of Yang et al. (2020). Slow, and independent of clusters, packs, lists and tables of coefficients.
+#pragma once
+
+#include <vector>
+
+#include "solver/core/model.hpp"
+#include "solver/core/particles.hpp"
+
+namespace wetdeck::samples {
+
+struct Rates {
+    std::vector<double> density;                         ///< [kg/(m^3 s)]
+    std::vector<double> acceleration_x, acceleration_y;  ///< [m/s^2], gravity included
+    std::vector<double> wall_pressure;                   ///< [Pa], Eq. (19)
+};
+
+/// Pressure, volume, density and impact mark of each particle are taken as they are.
+Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, const Model& model,
+                      double particle_spacing);
+
+/// 2 V_i V_j P* |dW/dr| e_ij: what particle i gives to particle j [N/m].
+Vec2 reference_pair_force(const FluidParticles& fluid, std::size_t i, std::size_t j, const Model& model,
+                          double particle_spacing);
+
+}  // namespace wetdeck::samples

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From runs to summary: grouping, error against cost, and the JSON that comes out.
+#include "validation/metrics/analysis.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "validation/metrics/speed_error.hpp"
+#include "validation/metrics/summary_json.hpp"
+
+using namespace wetdeck;
+
+namespace {
+
+const std::filesystem::path references = std::filesystem::path(WETDECK_SOURCE_DIR) / "reference_data";
+
+AnalysisSpec scene() {
+    AnalysisSpec spec;
+    spec.scene = "dam_break";
+    spec.error_quantity = "top";
+    QuantitySpec top;
+    top.name = "top";
+    top.metric = "maximum";
+    top.series = "front";
+    top.unit = "m";
+    QuantitySpec late = top;
+    late.name = "late";
+    late.metric = "value_at";
+    late.threshold = 99;
+    spec.quantities = {top, late};
+    ComparisonSpec front;
+    front.title = "Front";
+    front.quantity = "front";
+    front.reference = "ritter_front";
+    front.x_column = "T";
+    front.y_column = "x_over_h";
+    front.tolerance = 0.1;
+    ComparisonSpec missing = front;
+    missing.reference = "buchner2002_front";
+    spec.comparisons = {front, missing};
+    return spec;
+}
+
+/// A run whose front goes from 2 at the speed 2, raised by `error`.
+RunSummary run(const std::string& variant, double dx, double core_s, double error) {
+    RunSummary result;
+    result.record.scene = "dam_break";
+    result.record.variant = variant;
+    result.record.particle_spacing = dx;
+    result.record.particles = 20;
+    result.record.cost.core_s = core_s;
+    result.record.cost.wall_s = 2;
+    result.record.cost.steps = 50;
+    result.record.cost.particle_steps = 500;
+    result.record.series["front"] = {"m", "", {0, 1, 2}, {2 + error, 4 + error, 6 + error}, {}};
+    result.directory = "runs/dam_break/" + variant;
+    return result;
+}
+
+std::vector<RunSummary> sweep() {
+    return {run("a", 0.04, 1, 0.16), run("a", 0.02, 8, 0.04), run("a", 0.01, 64, 0.01),
+            run("b", 0.02, 9, 0.05)};
+}
+
+const ConvergenceRow& row_of(const Summary& summary, const std::string& variant) {
+    for (const ConvergenceRow& row : summary.convergence) {
+        if (row.variant == variant && row.qoi == "top") return row;
+    }
+    throw std::runtime_error("no such row");
+}
+
+}  // namespace
+
+TEST_CASE("Runs of one variant form one convergence row per quantity that has values", "[analysis]") {
+    const Summary summary = analyse({scene()}, sweep(), references);
+    REQUIRE(summary.convergence.size() == 2);  // `late` is never reached
+    CHECK(row_of(summary, "a").order.value() == Approx(2));
+    CHECK(row_of(summary, "a").extrapolated.value() == Approx(6));
+    CHECK(row_of(summary, "b").verdict == "too few spacings");
+}
+
+TEST_CASE("Runs that did not end well stay out of convergence and of error against cost", "[analysis]") {
+    auto runs = sweep();
+    runs[2].record.status = RunStatus::unstable;
+    const Summary summary = analyse({scene()}, runs, references);
+    CHECK(row_of(summary, "a").verdict == "too few spacings");
+    REQUIRE(summary.speed_error.size() == 4);
+    CHECK_FALSE(summary.speed_error[2].error.has_value());
+    CHECK_FALSE(summary.speed_error[2].pareto);
+    CHECK(summary.runs[2].quantities.size() == 2);
+}
+
+TEST_CASE("A run that another beats in cost and error is not on the Pareto front", "[analysis]") {
+    const Summary summary = analyse({scene()}, sweep(), references);
+    REQUIRE(summary.speed_error.size() == 4);
+    CHECK(summary.speed_error[0].pareto);
+    CHECK(summary.speed_error[1].pareto);
+    CHECK(summary.speed_error[2].pareto);
+    CHECK_FALSE(summary.speed_error[3].pareto);  // dearer and worse than "a" at 0.02
+}
+
+TEST_CASE("Two runs with the same cost and error are both on the Pareto front", "[analysis]") {
+    const Summary summary =
+        analyse({scene()}, {run("a", 0.02, 8, 0.04), run("b", 0.02, 8, 0.04)}, references);
+    CHECK(summary.speed_error[0].pareto);
+    CHECK(summary.speed_error[1].pareto);
+}
+
+TEST_CASE("A run of a scene without specification is kept without quantities", "[analysis]") {
+    auto runs = sweep();
+    runs[3].record.scene = "own_scene";
+    const Summary summary = analyse({scene()}, runs, references);
+    REQUIRE(summary.runs.size() == 4);
+    CHECK(summary.runs[3].quantities.empty());
+    CHECK(summary.runs[3].comparisons.empty());
+    CHECK(summary.speed_error.size() == 3);
+}
+
+TEST_CASE("The JSON holds every key of schema 1", "[summary_json]") {
+    Summary summary = analyse({scene()}, sweep(), references);
+    summary.tier = "quick";
+    const auto json = summary_json(summary, {"0.1.0", "abc", "g++", "avx2", 2, "a processor", 4});
+    CHECK(json["schema"] == 1);
+    CHECK(json["tier"] == "quick");
+    CHECK(json["program"] ==
+          nlohmann::json::parse(
+              R"({"version":"0.1.0","commit":"abc","compiler":"g++","simd":"avx2","threads":2})"));
+    CHECK(json["machine"] == nlohmann::json::parse(R"({"cpu":"a processor","cores":4})"));
+    for (const char* key : {"verification", "ablation", "stress"})
+        CHECK(json.at(key) == nlohmann::json::array());
+
+    const auto& first = json["runs"][0];
+    for (const char* key :
+         {"scene", "variant", "dx", "particles", "steps", "wall_s", "core_s", "particle_steps_per_s",
+          "peak_rss_mb", "status", "energy_error", "momentum_error", "qoi", "comparisons"}) {
+        CHECK(first.contains(key));
+    }
+    CHECK(first["particle_steps_per_s"] == 250);
+    CHECK(first["status"] == "ok");
+    CHECK(first["energy_error"].is_null());
+    CHECK(first["qoi"]["top"]["value"] == Approx(6.16));
+    CHECK(first["qoi"]["top"]["unit"] == "m");
+    CHECK(first["qoi"]["late"]["value"].is_null());
+
+    const auto& front = first["comparisons"][0];
+    for (const char* key :
+         {"quantity", "reference", "kind", "metric", "reference_uncertainty", "tolerance", "within"}) {
+        CHECK(front.contains(key));
+    }
+    CHECK(front["kind"] == "analytic");
+    CHECK(front["metric"]["nrmse"] == Approx(0.16 / 3.4));
+    CHECK(front["metric"]["peak_error"].is_number());
+    CHECK(front["metric"]["time_error"].is_null());
+    CHECK(front["within"] == true);
+
+    for (const char* key :
+         {"scene", "variant", "qoi", "dx", "value", "order", "extrapolated", "gci_fine", "monotone"}) {
+        CHECK(json["convergence"][0].contains(key));
+    }
+    for (const char* key : {"scene", "variant", "dx", "core_s", "error", "pareto"}) {
+        CHECK(json["speed_error"][0].contains(key));
+    }
+}
+
+TEST_CASE("A comparison without a curve is null in the JSON and not a failure", "[summary_json]") {
+    const auto json = summary_json(analyse({scene()}, sweep(), references), {});
+    const auto& missing = json["runs"][0]["comparisons"][1];
+    CHECK(missing["within"].is_null());
+    CHECK(missing["kind"].is_null());
+    CHECK(missing["metric"]["nrmse"].is_null());
+    CHECK_THAT(missing["note"].get<std::string>(), Catch::StartsWith("curve not available"));
+}
+
+TEST_CASE("Numbers that are not finite become null", "[summary_json]") {
+    auto runs = sweep();
+    runs[0].record.cost.wall_s = 0;
+    runs[1].record.cost.peak_rss_mb = std::numeric_limits<double>::quiet_NaN();
+    const auto json = summary_json(analyse({scene()}, runs, references), {});
+    CHECK(json["runs"][0]["particle_steps_per_s"].is_null());
+    CHECK(json["runs"][1]["peak_rss_mb"].is_null());
+}
+
+TEST_CASE("A summary without runs is a full document of empty lists", "[summary_json]") {
+    const auto json = summary_json(analyse({}, {}, references), {});
+    for (const char* key : {"runs", "convergence", "speed_error", "verification", "ablation", "stress"}) {
+        CHECK(json.at(key) == nlohmann::json::array());
+    }
+}

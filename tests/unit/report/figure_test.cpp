@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One description of a figure, three renderings.
+#include "reports/figure.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "solver/core/errors.hpp"
+#include "tests/unit/report/report_samples.hpp"
+
+using namespace wetdeck;
+using namespace wetdeck::report;
+
+namespace {
+
+Figure sample() {
+    Figure figure;
+    figure.name = "sample";
+    figure.title = "Sample";
+    figure.x = {"time", "s", false, {}};
+    figure.y = {"pressure", "Pa", false, {}};
+    PlotSeries line;
+    line.label = "dx = 0.01 m";
+    line.data = {{0, 1, 2}, {10, 20.5, 1e-7}};
+    PlotSeries points;
+    points.label = "gauge, \"raw\"";
+    points.style = Style::points;
+    points.data = {{0.5}, {12}};
+    points.low = {11};
+    points.high = {13};
+    figure.series = {line, points};
+    return figure;
+}
+
+PlotSeries ramp(std::size_t n) {
+    PlotSeries s;
+    for (std::size_t i = 0; i < n; ++i) {
+        s.data.x.push_back(static_cast<double>(i));
+        s.data.y.push_back(0);
+    }
+    return s;
+}
+
+}  // namespace
+
+TEST_CASE("The CSV of a figure holds every sample, with units in its header", "[report]") {
+    CHECK(figure_csv(sample()) ==
+          "series,time [s],pressure [Pa],low: pressure [Pa],high: pressure [Pa]\n"
+          "dx = 0.01 m,0,10,,\n"
+          "dx = 0.01 m,1,20.5,,\n"
+          "dx = 0.01 m,2,1e-07,,\n"
+          "\"gauge, \"\"raw\"\"\",0.5,12,11,13\n");
+}
+
+TEST_CASE("A label with brackets of its own keeps them", "[report]") {
+    CHECK(axis_title({"T [-]", "s", false, {}}) == "T [-]");
+    CHECK(axis_title({"T", "s", false, {}}) == "T [s]");
+}
+
+TEST_CASE("Thinning for the drawing keeps a peak of one sample and the ends", "[report]") {
+    Figure figure;
+    PlotSeries s = ramp(50000);
+    s.data.y[31337] = 1;
+    s.data.y[4242] = -1;
+    const std::vector<std::size_t> kept = drawn_samples(figure, s);
+    CHECK(kept.size() < 2000);
+    CHECK(std::is_sorted(kept.begin(), kept.end()));
+    CHECK(std::count(kept.begin(), kept.end(), 31337u) == 1);
+    CHECK(std::count(kept.begin(), kept.end(), 4242u) == 1);
+    CHECK(kept.front() == 0);
+    CHECK(kept.back() >= 49900);
+}
+
+TEST_CASE("Samples that an axis cannot show are not drawn", "[report]") {
+    Figure figure;
+    figure.y.logarithmic = true;
+    PlotSeries s = ramp(4);
+    s.data.y = {0, 1, -1, std::numeric_limits<double>::infinity()};
+    CHECK(drawn_samples(figure, s) == std::vector<std::size_t>{1});
+}
+
+TEST_CASE("Both drawings use the same range on a logarithmic axis", "[report]") {
+    Figure figure = sample();
+    figure.y.logarithmic = true;
+    figure.y.range = Window{1e-3, 100};
+    const auto plot = plotly_figure(figure);
+    CHECK(plot["layout"]["yaxis"]["type"] == "log");
+    CHECK(plot["layout"]["yaxis"]["range"] == nlohmann::json({-3.0, 2.0}));
+    const std::string script = gnuplot_script(figure, "out.svg");
+    CHECK(samples::contains(script, "set yrange [0.001:100]"));
+    CHECK(samples::contains(script, "set logscale y"));
+}
+
+TEST_CASE("The interactive figure escapes texts and shows error bars", "[report]") {
+    Figure figure = sample();
+    figure.series[0].label = "<a href='x'>";
+    const auto plot = plotly_figure(figure);
+    CHECK(plot["data"][0]["name"] == "&lt;a href=&#39;x&#39;&gt;");
+    CHECK(plot["data"][0]["mode"] == "lines");
+    CHECK(plot["data"][1]["mode"] == "markers");
+    CHECK(plot["data"][1]["error_y"]["array"] == nlohmann::json({1.0}));
+}
+
+TEST_CASE("A text cannot become a command of gnuplot", "[report]") {
+    Figure figure = sample();
+    figure.title = "it's\nsystem('touch /tmp/x')\n";
+    const std::string script = gnuplot_script(figure, "it's.svg");
+    CHECK(samples::contains(script, "set title 'it''s system(''touch /tmp/x'') ' noenhanced\n"));
+    CHECK(samples::contains(script, "set output 'it''s.svg'\n"));
+    CHECK_FALSE(samples::contains(script, "\nsystem("));
+}
+
+TEST_CASE("gnuplot draws every style, also into a folder with quotes and spaces in its name", "[report]") {
+    if (!gnuplot_found()) {
+        WARN("gnuplot was not found: nothing drawn");
+        return;
+    }
+    const samples::ScratchFolder scratch;
+    const std::filesystem::path folder = scratch / "it's a folder";
+    std::filesystem::create_directory(folder);
+    Figure figure = sample();
+    figure.title = "Title & <tag>";
+    figure.shaded = Window{0.2, 0.8};
+    figure.x.logarithmic = true;
+    for (const Style style : {Style::dashed, Style::line_and_points, Style::band}) {
+        PlotSeries s = ramp(5);
+        s.style = style;
+        s.low = std::vector<double>(5, 1);
+        s.high = std::vector<double>(5, 2);
+        s.point_labels = std::vector<std::string>(5, "p'q");
+        figure.series.push_back(s);
+    }
+    const std::string svg = write_svg(figure, folder / "a.svg");
+    CHECK(samples::contains(svg, "Title &amp; &lt;tag>"));
+    CHECK(samples::contains(svg, "</svg>"));
+    CHECK(samples::bytes_of(folder / "a.svg") == svg);
+    CHECK(samples::names_in(folder) == std::vector<std::string>{"a.svg"});
+}
+
+TEST_CASE("A figure without data is drawn as empty axes", "[report]") {
+    if (!gnuplot_found()) {
+        WARN("gnuplot was not found: nothing drawn");
+        return;
+    }
+    const samples::ScratchFolder scratch;
+    Figure figure;
+    figure.name = "empty";
+    figure.y.logarithmic = GENERATE(false, true);
+    CHECK(samples::contains(write_svg(figure, scratch / "empty.svg"), "</svg>"));
+}
+
+TEST_CASE("A failure of gnuplot is reported in its own words and leaves nothing behind", "[report]") {
+    if (!gnuplot_found()) {
+        WARN("gnuplot was not found: nothing drawn");
+        return;
+    }
+    const samples::ScratchFolder scratch;
+    Figure figure = sample();
+    figure.series[0].colour = "no such colour";
+    CHECK_THROWS_WITH(write_svg(figure, scratch / "a.svg"), Catch::Contains("a.svg: gnuplot failed"));
+    CHECK(samples::names_in(scratch).empty());
+}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report as a whole, written from a made-up summary.
+#include "reports/report.hpp"
+
+#include <stdlib.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "reports/figure.hpp"
+#include "solver/core/errors.hpp"
+#include "tests/unit/report/report_samples.hpp"
+
+using namespace wetdeck;
+using samples::contains;
+
+namespace {
+
+std::string page_of(const Summary& summary, const report::ReportInputs& inputs = samples::inputs()) {
+    const samples::ScratchFolder folder;
+    report::write_report(folder, summary, inputs);
+    return samples::bytes_of(folder / "index.html");
+}
+
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+    const std::size_t from = text.find(begin);
+    REQUIRE(from != std::string::npos);
+    const std::size_t to = text.find(end, from + begin.size());
+    return text.substr(from, to - from);
+}
+
+/// The PATH without any program, restored with the scope.
+class EmptyPath {
+  public:
+    EmptyPath() : before_(::getenv("PATH")) { ::setenv("PATH", "/nonexistent", 1); }
+    ~EmptyPath() { ::setenv("PATH", before_.c_str(), 1); }
+    EmptyPath(const EmptyPath&) = delete;
+    EmptyPath& operator=(const EmptyPath&) = delete;
+
+  private:
+    std::string before_;
+};
+
+}  // namespace
+
+TEST_CASE("The same inputs give the same bytes, page and figures", "[report]") {
+    const samples::ScratchFolder first;
+    const samples::ScratchFolder second;
+    report::write_report(first, samples::summary(), samples::inputs());
+    Summary shuffled = samples::summary();
+    std::reverse(shuffled.runs.begin(), shuffled.runs.end());
+    report::write_report(second, shuffled, samples::inputs());
+    CHECK(samples::bytes_of(first / "index.html") == samples::bytes_of(second / "index.html"));
+    const auto names = samples::names_in(first / "figures");
+    CHECK(names == samples::names_in(second / "figures"));
+    for (const std::string& name : names) {
+        INFO(name);
+        CHECK(samples::bytes_of(first / "figures" / name) == samples::bytes_of(second / "figures" / name));
+    }
+}
+
+TEST_CASE("A complete report says so by not saying incomplete", "[report]") {
+    const std::string page = page_of(samples::summary());
+    CHECK(contains(page, "<title>wetdeck report, tier quick</title>"));
+    CHECK_FALSE(contains(page, "INCOMPLETE"));
+    CHECK(contains(page, "Every run reached its end and everything with a tolerance lies within it."));
+    CHECK_FALSE(contains(page, "validated"));
+}
+
+TEST_CASE("A missing run is named and marks the title incomplete", "[report]") {
+    Summary summary = samples::summary();
+    summary.missing = {"tank paper dx 0.005"};
+    const std::string page = page_of(summary);
+    CHECK(contains(page, "<title>INCOMPLETE: wetdeck report"));
+    CHECK(contains(page, "<h1>INCOMPLETE: wetdeck report"));
+    CHECK(contains(between(page, ">Failures</h2>", "<h2"), "tank paper dx 0.005"));
+    CHECK(contains(between(page, ">Runs</h2>", "<h2"), "tank paper dx 0.005"));
+}
+
+TEST_CASE("A run that died comes first, with its reason", "[report]") {
+    Summary summary = samples::summary();
+    summary.runs[0].record.status = RunStatus::unstable;
+    summary.runs[0].record.stop_reason = "density error 0.3 at t = 0.1 s";
+    summary.runs[0].quantities[0].value.reset();
+    summary.runs[0].quantities[0].within.reset();
+    summary.runs[0].quantities[0].note = "ended before the window";
+    const std::string page = page_of(summary);
+    const std::string failures = between(page, ">Failures</h2>", "<h2");
+    CHECK(contains(failures, "tank, single-phase, dx = 0.01 m"));
+    CHECK(contains(failures, "density error 0.3 at t = 0.1 s"));
+    CHECK(contains(failures, "not computed: ended before the window"));
+    CHECK(page.find(">Failures</h2>") < page.find(">Runs</h2>"));
+    CHECK(contains(page, "<b>3 of 4</b><span>runs reached their end</span>"));
+}
+
+TEST_CASE("What lies outside tolerance is listed among the failures", "[report]") {
+    Summary summary = samples::summary();
+    summary.runs[2].quantities[0].within = false;
+    summary.runs[2].comparisons[0].within = false;
+    summary.runs[2].comparisons[0].nrmse = 0.234;
+    const std::string page = page_of(summary);
+    const std::string failures = between(page, ">Failures</h2>", "<h2");
+    CHECK(contains(failures, "tank, two-phase, dx = 0.01 m"));
+    CHECK(contains(failures, "expected 100\u00a0Pa, made up"));
+    CHECK(contains(failures, "nrmse 0.234"));
+    CHECK(contains(page, "outside tolerance"));
+}
+
+TEST_CASE("A comparison without a reference file is neither a success nor a failure", "[report]") {
+    Summary summary = samples::summary();
+    for (RunSummary& run : summary.runs) {
+        run.comparisons[0].available = false;
+        run.comparisons[0].within = false;
+        run.comparisons[0].nrmse.reset();
+        run.comparisons[0].note = "no such file";
+    }
+    const std::string page = page_of(summary);
+    CHECK_FALSE(contains(between(page, ">Failures</h2>", "<h2"), "no such file"));
+    CHECK(contains(page, "no such file"));
+    CHECK(contains(page, "<b>4 of 4</b><span>reference curves met"));
+}
+
+TEST_CASE("Peer simulations have tables of their own and are labelled", "[report]") {
+    const std::string page = page_of(samples::summary());
+    const std::string measured = between(page, "Against: measurements</h4>", "<h4>");
+    CHECK(contains(measured, "gauge"));
+    CHECK_FALSE(contains(measured, "other_code"));
+    const std::string peers =
+        between(page, "Against: other simulations (peer simulation, no validation)</h4>", "</table>");
+    CHECK(contains(peers, "other_code"));
+    CHECK_FALSE(contains(peers, "gauge"));
+    CHECK(contains(page, "other_code (peer simulation)"));
+}
+
+TEST_CASE("The page forbids every load from outside and holds none", "[report]") {
+    const std::string page = page_of(samples::summary());
+    CHECK(contains(page,
+                   "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src "
+                   "'unsafe-inline'; "
+                   "style-src 'unsafe-inline'; img-src data: blob:\">"));
+    for (const char* load :
+         {"src=\"http", "src=\"//", "href=\"http", "<link", "<iframe", "@import", "url("}) {
+        INFO(load);
+        CHECK_FALSE(contains(page, load));
+    }
+    CHECK(samples::occurrences(page, " src=\"") == samples::occurrences(page, " src=\"data:image/"));
+}
+
+TEST_CASE("Markup in any text of a scene or run is shown and not obeyed", "[report]") {
+    const std::string evil = "<script>alert('x')</script>";
+    Summary summary = samples::summary();
+    summary.tier = summary.missing.emplace_back() = evil;
+    AnalysisSpec& scene = summary.scenes[0];
+    scene.title = scene.purpose = scene.source = evil;
+    scene.deviations = {{evil, evil, evil, evil}};
+    scene.limits = {evil};
+    for (RunSummary& run : summary.runs) {
+        run.record.variant += evil;
+        run.record.stop_reason = run.record.scene_text = evil;
+        run.record.status = RunStatus::failed;
+        run.record.choices[evil] = evil;
+        run.record.parameters[evil] = 1;
+        run.record.cost.stage_seconds[evil] = 1;
+        run.record.cost.limiting_criterion[evil] = 1;
+        run.quantities[0].name = run.quantities[0].unit = run.quantities[0].expected_source = evil;
+        for (ComparisonResult& c : run.comparisons) {
+            c.title = c.citation = c.note = c.x_label = c.y_label = evil;
+            c.reference += evil;
+        }
+    }
+    summary.convergence[0].qoi = summary.convergence[0].verdict = evil;
+    report::ReportInputs inputs = samples::inputs();
+    inputs.note = evil;
+    inputs.program = inputs.machine = {{evil, evil}};
+    inputs.sketches["tank"] = "<svg xmlns='http://www.w3.org/2000/svg'>" + evil + "</svg>";
+    const std::string page = page_of(summary, inputs);
+    CHECK_FALSE(contains(page, "<script>alert"));
+    CHECK_FALSE(contains(page, "</script>alert"));
+    // two scripts of the page and one data block for each figure, each closed once
+    const std::size_t blocks = samples::occurrences(page, "<script type=\"application/json\"");
+    CHECK(samples::occurrences(page, "<script") == blocks + 2);
+    CHECK(samples::occurrences(page, "</script") == blocks + 2);
+}
+
+TEST_CASE("Every figure has a drawing and a table of the same name, and the page links both", "[report]") {
+    if (!report::gnuplot_found()) {
+        WARN("gnuplot was not found: nothing drawn");
+        return;
+    }
+    const samples::ScratchFolder folder;
+    report::write_report(folder, samples::summary(), samples::inputs());
+    const std::string page = samples::bytes_of(folder / "index.html");
+    std::set<std::string> drawings, tables;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "figures")) {
+        const std::filesystem::path& path = entry.path();
+        INFO(path);
+        REQUIRE((path.extension() == ".svg" || path.extension() == ".csv"));
+        (path.extension() == ".svg" ? drawings : tables).insert(path.stem());
+        CHECK(contains(page, "href=\"figures/" + path.filename().string() + "\""));
+    }
+    CHECK(drawings == tables);
+    CHECK(drawings.count("tank-two-phase-pressure-gauge") == 1);
+    CHECK(drawings.count("tank-variants-pressure-gauge") == 1);
+    CHECK(drawings.count("tank-convergence-peak") == 1);
+    CHECK(drawings.count("tank-speed-error") == 1);
+    CHECK(drawings.count("tank-single-phase-energy") == 1);
+    CHECK(drawings.count("tank-two-phase-energy-change") == 1);
+    CHECK(samples::occurrences(page, "<figure class=\"drawing\"") == drawings.size());
+}
+
+TEST_CASE("Figures of an earlier report go, other files stay", "[report]") {
+    const samples::ScratchFolder folder;
+    std::filesystem::create_directory(folder / "figures");
+    samples::put_bytes(folder / "figures/old.csv", "old");
+    samples::put_bytes(folder / "figures/notes.txt", "mine");
+    report::write_report(folder, samples::summary(), samples::inputs());
+    CHECK_FALSE(std::filesystem::exists(folder / "figures/old.csv"));
+    CHECK(samples::bytes_of(folder / "figures/notes.txt") == "mine");
+}
+
+TEST_CASE("Without gnuplot the page says so and keeps interactive figures and tables", "[report]") {
+    const samples::ScratchFolder folder;
+    {
+        const EmptyPath no_programs;
+        report::write_report(folder, samples::summary(), samples::inputs());
+    }
+    const std::string page = samples::bytes_of(folder / "index.html");
+    CHECK(contains(page, "gnuplot was not found"));
+    CHECK(contains(page, "class=\"plot-data\""));
+    CHECK(std::filesystem::exists(folder / "figures/tank-speed-error.csv"));
+    CHECK_FALSE(std::filesystem::exists(folder / "figures/tank-speed-error.svg"));
+}
+
+TEST_CASE("Without plotly.js the page is static and holds no script", "[report]") {
+    report::ReportInputs inputs = samples::inputs();
+    inputs.plotly.clear();
+    const std::string page = page_of(samples::summary(), inputs);
+    CHECK_FALSE(contains(page, "<script"));
+    CHECK(contains(page, "the figures are static"));
+}
+
+TEST_CASE("plotly.js is part of the page once, whatever it holds", "[report]") {
+    const std::string page = page_of(samples::summary());
+    CHECK(samples::occurrences(page, "window.Plotly = {}; // <\\/script>") == 1);
+}
+
+TEST_CASE("Pictures are part of the page, with title, time and colour bar", "[report]") {
+    const std::string page = page_of(samples::summary());
+    CHECK(contains(page, "<figcaption>Pressure, t = 0.5\u00a0s</figcaption>"));
+    CHECK(contains(page, "src=\"data:image/png;base64,AQID\""));
+    CHECK(contains(page, "linear-gradient(to right,#000000,#ffffff)"));
+}
+
+TEST_CASE("A summary without runs and scenes still makes a page", "[report]") {
+    const std::string page = page_of(Summary{});
+    CHECK(contains(page, "There are no runs."));
+    CHECK(contains(page, "tier unknown"));
+}
+
+TEST_CASE("A directory that cannot be written is an error of the environment", "[report]") {
+    const samples::ScratchFolder folder;
+    samples::put_bytes(folder / "file", "x");
+    CHECK_THROWS_AS(report::write_report(folder / "file", samples::summary(), samples::inputs()),
+                    EnvironmentError);
+}

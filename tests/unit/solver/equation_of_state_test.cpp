@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tait equation of state: both directions, the fast powers, the elastic energy.
+#include "solver/physics/equation_of_state.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "solver/pair_loop/pair_loop.hpp"
+#include "tests/support/quadrature.hpp"
+#include "tests/support/samples.hpp"
+
+using namespace wetdeck;
+
+namespace {
+
+TaitEquationOfState water() {
+    return {1000, 30, 7, 500};
+}
+TaitEquationOfState air() {
+    return {1.2, 90, 1.4, 500};
+}
+
+}  // namespace
+
+TEST_CASE("Pressure at the reference density is the background pressure", "[eos]") {
+    CHECK(water().pressure(1000) == Approx(500).epsilon(1e-14));
+    CHECK(air().pressure(1.2) == Approx(500).epsilon(1e-14));
+}
+
+TEST_CASE("Pressure follows the Tait equation at a hand-computed point", "[eos]") {
+    // B = 1000 * 900 / 7 and 1.01^7 - 1 = 0.0721353521070101
+    CHECK(water().pressure(1010) == Approx(900e3 / 7 * 0.0721353521070101 + 500).epsilon(1e-12));
+}
+
+TEST_CASE("Density is the inverse of pressure", "[eos]") {
+    const double ratio = GENERATE(0.3, 0.9, 0.99, 1.0, 1.01, 1.5, 3.0);
+    CHECK(water().density(water().pressure(1000 * ratio)) == Approx(1000 * ratio).epsilon(1e-12));
+    CHECK(air().density(air().pressure(1.2 * ratio)) == Approx(1.2 * ratio).epsilon(1e-12));
+}
+
+TEST_CASE("The slope of pressure over density at the reference is the sound speed squared", "[eos]") {
+    const TaitEquationOfState eos = GENERATE(water(), air());
+    const double step = 1e-5 * eos.reference_density;
+    const double slope =
+        (eos.pressure(eos.reference_density + step) - eos.pressure(eos.reference_density - step)) /
+        (2 * step);
+    CHECK(slope == Approx(eos.sound_speed * eos.sound_speed).epsilon(1e-7));
+}
+
+TEST_CASE("Phases with the equal-coefficient sound speed share the coefficient", "[eos]") {
+    TaitEquationOfState light{1, 0, 1.4, 0};
+    light.sound_speed = equal_coefficient_sound_speed(water(), light.reference_density, light.exponent);
+    CHECK(light.coefficient() == Approx(water().coefficient()).epsilon(1e-14));
+    CHECK(light.sound_speed == Approx(30 * std::sqrt(200.0)).epsilon(1e-14));
+}
+
+TEST_CASE("Both powers by multiplication agree with std::pow from 0.2 to 4", "[eos]") {
+    double worst_seven = 0, worst_seven_fifths = 0;
+    for (int n = 0; n <= 3800; ++n) {
+        const double x = 0.2 + 0.001 * n;
+        worst_seven = std::max(worst_seven, std::abs(power_seven(x) / std::pow(x, 7.0) - 1));
+        worst_seven_fifths =
+            std::max(worst_seven_fifths, std::abs(power_seven_fifths(x) / std::pow(x, 1.4) - 1));
+    }
+    CHECK(worst_seven < 1e-13);
+    CHECK(worst_seven_fifths < 1e-13);
+}
+
+TEST_CASE("Compression energy is the integral of (p - p0) / rho^2", "[eos]") {
+    const TaitEquationOfState eos = GENERATE(water(), air());
+    const double ratio = GENERATE(0.5, 0.98, 1.02, 2.0);
+    const auto work = [&](double density) {
+        return (eos.pressure(density) - eos.background_pressure) / (density * density);
+    };
+    const double expected = samples::integral(work, eos.reference_density, ratio * eos.reference_density);
+    // near the reference the formula loses digits to cancellation: of terms of the size of c^2/gamma
+    CHECK(eos.compression_energy(ratio * eos.reference_density) ==
+          Approx(expected).epsilon(1e-11).margin(1e-14 * eos.sound_speed * eos.sound_speed));
+    CHECK(expected > 0);
+}
+
+TEST_CASE("The fast density step gives the density, volume and pressure of the equation of state",
+          "[eos][simd]") {
+    const double exponent = GENERATE(7.0, 1.4, 2.5);
+    const TaitEquationOfState eos{1.2, 90, exponent, 500};
+    const double dt = 0.25, lowest = 0.3;
+    for (const std::string& name : samples::instruction_sets()) {
+        INFO(name << ", exponent " << exponent);
+        std::vector<FluidState> state(21);
+        std::vector<double> rate(state.size()), mass(state.size());
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            state[i].density = 0.2 + 0.13 * static_cast<double>(i);
+            rate[i] = 0.4 - 0.05 * static_cast<double>(i);
+            mass[i] = 0.01 * static_cast<double>(i + 1);
+        }
+        const std::vector<FluidState> before = state;
+        const PairLoops loops = pair_loops(samples::two_phase_model(), name.c_str());
+        loops.advance_density(state.data(), rate.data(), mass.data(), 2, 19, dt, eos, lowest, 1);
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            const bool advanced = i >= 2 && i < 19;
+            const double density =
+                advanced ? std::max(before[i].density + dt * rate[i], lowest) : before[i].density;
+            CHECK(state[i].density == Approx(density).epsilon(1e-15));
+            CHECK(state[i].volume == Approx(advanced ? mass[i] / density : 0).epsilon(1e-14));
+            CHECK(state[i].pressure == Approx(advanced ? eos.pressure(density) : 0)
+                                           .epsilon(1e-12)
+                                           .margin(1e-12 * eos.coefficient()));
+        }
+    }
+}

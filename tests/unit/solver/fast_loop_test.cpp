@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fast pair loops against the plain reference, for every instruction set and every ingredient.
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "solver/core/errors.hpp"
+#include "tests/support/reference_rates.hpp"
+#include "tests/support/samples.hpp"
+
+using namespace wetdeck;
+using samples::paper_model;
+using samples::two_phase_model;
+
+namespace {
+
+struct Ingredient {
+    std::string name;
+    std::function<void(Model&)> switch_on;
+};
+
+const std::vector<Ingredient>& ingredients() {
+    static const std::vector<Ingredient> all = {
+        {"default", [](Model&) {}},
+        {"arithmetic velocity mean", [](Model& m) { m.velocity_mean = Mean::arithmetic; }},
+        {"density-weighted velocity mean", [](Model& m) { m.velocity_mean = Mean::density_weighted; }},
+        {"harmonic velocity mean", [](Model& m) { m.velocity_mean = Mean::harmonic; }},
+        {"arithmetic pressure mean", [](Model& m) { m.pressure_mean = Mean::arithmetic; }},
+        {"density-weighted pressure mean", [](Model& m) { m.pressure_mean = Mean::density_weighted; }},
+        {"harmonic pressure mean", [](Model& m) { m.pressure_mean = Mean::harmonic; }},
+        {"no pressure diffusion", [](Model& m) { m.pressure_diffusion = 0; }},
+        {"hydrostatic jump kept", [](Model& m) { m.hydrostatic_correction = false; }},
+        {"no dissipation", [](Model& m) { m.dissipation = Dissipation::none; }},
+        {"full Riemann dissipation", [](Model& m) { m.dissipation = Dissipation::riemann; }},
+        {"dissipation floor", [](Model& m) { m.dissipation_floor = 0.05; }},
+        {"viscosity of approaching pairs", [](Model& m) { m.viscosity = Viscosity::approaching; }},
+        {"viscosity of both signs", [](Model& m) { m.viscosity = Viscosity::symmetric; }},
+        {"dissipation switch", [](Model& m) { m.dissipation_switch = true; }},
+        {"switch without other dissipation",
+         [](Model& m) {
+             m.dissipation = Dissipation::none;
+             m.dissipation_switch = true;
+         }},
+        {"no slip",
+         [](Model& m) {
+             m.wall_slip = WallSlip::no;
+             m.viscosity = Viscosity::symmetric;
+         }},
+        {"no slip of approaching pairs",
+         [](Model& m) {
+             m.wall_slip = WallSlip::no;
+             m.viscosity = Viscosity::approaching;
+         }},
+        {"one-sided wall pressure", [](Model& m) { m.wall_pressure = WallPressure::one_sided; }},
+        {"Shepard wall pressure of both phases", [](Model& m) { m.wall_pressure = WallPressure::shepard; }},
+        {"no wall dissipation", [](Model& m) { m.wall_dissipation = 0; }},
+        {"slanted gravity",
+         [](Model& m) {
+             m.gravity = {3, -7};
+         }},
+        {"the paper's formulas", [](Model& m) { m = paper_model(); }},
+    };
+    return all;
+}
+
+Model with(const Ingredient& ingredient) {
+    Model model = two_phase_model();
+    model.water.viscosity = 20;  // large enough for the viscous part to show beside the others
+    model.air.viscosity = 0.5;
+    ingredient.switch_on(model);
+    return model;
+}
+
+double largest(const std::vector<double>& values) {
+    double sum = 0;
+    for (const double v : values) sum = std::max(sum, std::abs(v));
+    return sum;
+}
+
+/// Largest difference over the largest expected value, over the particles [first, last).
+double difference(const std::vector<double>& found, const std::vector<double>& expected, std::size_t first,
+                  std::size_t last) {
+    double worst = 0, scale = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        worst = std::max(worst, std::abs(found[i] - expected[i]));
+        scale = std::max(scale, std::abs(expected[i]));
+    }
+    return worst / scale;
+}
+
+}  // namespace
+
+TEST_CASE("Rates of the fast loop are those of the plain sum over all pairs", "[simd][pairs]") {
+    const std::string name = GENERATE(from_range(samples::instruction_sets()));
+    const Ingredient& ingredient = GENERATE(from_range(ingredients()));
+    INFO(name << ", " << ingredient.name);
+    const samples::ChosenInstructionSet chosen(name);
+    const Simulation simulation = samples::shaken_tank(with(ingredient), 1).simulate();
+    REQUIRE(simulation.instruction_set() == name);
+    const FluidParticles& fluid = simulation.fluid();
+    const samples::Rates expected = samples::reference_rates(fluid, simulation.walls(), simulation.model(),
+                                                             simulation.particle_spacing());
+    // Rounding of some 30 terms. Each phase has its own scale: rates of air and water differ by a factor of a
+    // thousand.
+    constexpr double tolerance = 1e-11;
+    const std::size_t ends[] = {0, fluid.water, fluid.size()};
+    for (int phase = 0; phase < 2; ++phase) {
+        const std::size_t first = ends[phase], last = ends[phase + 1];
+        CHECK(difference(fluid.density_rate, expected.density, first, last) < tolerance);
+        CHECK(difference(fluid.acceleration_x, expected.acceleration_x, first, last) < tolerance);
+        CHECK(difference(fluid.acceleration_y, expected.acceleration_y, first, last) < tolerance);
+    }
+}
+
+TEST_CASE("Every ingredient changes the rates, so that the comparison above can see it", "[pairs]") {
+    const samples::Setup plain = samples::shaken_tank(with(ingredients().front()), 1);
+    const samples::Rates before = samples::reference_rates(plain.simulate().fluid(), plain.simulate().walls(),
+                                                           plain.model, plain.particle_spacing);
+    for (std::size_t k = 1; k < ingredients().size(); ++k) {
+        INFO(ingredients()[k].name);
+        const Simulation simulation = samples::shaken_tank(with(ingredients()[k]), 1).simulate();
+        const samples::Rates after = samples::reference_rates(
+            simulation.fluid(), simulation.walls(), simulation.model(), simulation.particle_spacing());
+        const std::size_t size = after.density.size();
+        const double change = std::max({difference(after.density, before.density, 0, size),
+                                        difference(after.acceleration_x, before.acceleration_x, 0, size),
+                                        difference(after.acceleration_y, before.acceleration_y, 0, size)});
+        CHECK(change > 1e-6);
+    }
+}
+
+TEST_CASE("Shepard pressures of walls are those of the plain sum over the fluid near them", "[simd][wall]") {
+    const std::string name = GENERATE(from_range(samples::instruction_sets()));
+    const samples::ChosenInstructionSet chosen(name);
+    Model model = two_phase_model();
+    model.wall_pressure = GENERATE(WallPressure::shepard, WallPressure::shepard_water);
+    const Simulation simulation = samples::shaken_tank(model, 2).simulate();
+    const samples::Rates expected =
+        samples::reference_rates(simulation.fluid(), simulation.walls(), model, 0.05);
+    REQUIRE(largest(expected.wall_pressure) > 1000);
+    CHECK(difference(simulation.walls().pressure, expected.wall_pressure, 0, simulation.walls().size()) <
+          1e-11);
+}
+
+TEST_CASE("A pair of particles pushes each other with opposite forces", "[pairs]") {
+    const Ingredient& ingredient = GENERATE(from_range(ingredients()));
+    INFO(ingredient.name);
+    const samples::Setup setup = samples::shaken_blob(with(ingredient), 3);
+    const Simulation simulation = setup.simulate();
+    const FluidParticles& fluid = simulation.fluid();
+    std::size_t touching = 0;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const Vec2 on_j = samples::reference_pair_force(fluid, i, j, setup.model, setup.particle_spacing);
+            const Vec2 on_i = samples::reference_pair_force(fluid, j, i, setup.model, setup.particle_spacing);
+            if (on_j.norm() == 0) continue;
+            ++touching;
+            if ((on_i + on_j).norm() > 1e-13 * on_j.norm()) FAIL_CHECK("pair " << i << ", " << j);
+        }
+    }
+    CHECK(touching > 3000);
+}
+
+TEST_CASE("Two particles alone get opposite momentum from the fast loop, whatever their phases",
+          "[simd][pairs]") {
+    const std::string name = GENERATE(from_range(samples::instruction_sets()));
+    const Ingredient& ingredient = GENERATE(from_range(ingredients()));
+    INFO(name << ", " << ingredient.name);
+    const samples::ChosenInstructionSet chosen(name);
+    samples::Setup setup{with(ingredient), {}, {}, 0.05, Box{{-1, -1}, {1, 1}}};
+    setup.model.gravity = Vec2::Zero();
+    setup.fluid.add(Phase::water, {0, 0}, 2.5, 1001);
+    const Phase other = GENERATE(Phase::water, Phase::air);
+    setup.fluid.add(other, {0.03, 0.02}, other == Phase::water ? 2.4 : 0.0025,
+                    other == Phase::water ? 1002 : 1.1);
+    setup.fluid.state[0].vx = 2;
+    setup.fluid.state[1].vy = -1;
+    setup.fluid.state[1].impact = 1;
+    const FluidParticles fluid = setup.simulate().fluid();
+    const auto force = [&](std::size_t i) {
+        return Vec2(fluid.mass[i] * Vec2(fluid.acceleration_x[i], fluid.acceleration_y[i]));
+    };
+    REQUIRE(force(0).norm() > 1);
+    CHECK((force(0) + force(1)).norm() < 1e-13 * force(0).norm());
+}
+
+TEST_CASE("An instruction set that does not exist is refused by name", "[simd]") {
+    CHECK_THROWS_AS(pair_loops(two_phase_model(), "mmx"), InputError);
+    CHECK_THROWS_WITH(pair_loops(two_phase_model(), "mmx"),
+                      Catch::Contains("'mmx'") && Catch::Contains("avx2"));
+    const samples::ChosenInstructionSet chosen("neon");
+    CHECK_THROWS_WITH(pair_loops(two_phase_model()), Catch::Contains("'neon'"));
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stable time step: each criterion by hand.
+#include "solver/time/time_step.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/support/samples.hpp"
+
+using namespace wetdeck;
+
+namespace {
+constexpr double h = 0.025;
+}
+
+TEST_CASE("Sound in air limits a step in two phases, sound in water without air", "[time]") {
+    const Model model = samples::two_phase_model();  // 30 and 90 m/s, Courant number 0.5
+    const TimeStep both = stable_time_step(model, h, {2, 10}, true, true);
+    CHECK(both.criterion == LimitingCriterion::acoustic_air);
+    CHECK(both.size == Approx(0.5 * 0.025 / 100));
+    const TimeStep water = stable_time_step(model, h, {2, 10}, true, false);
+    CHECK(water.criterion == LimitingCriterion::acoustic_water);
+    CHECK(water.size == Approx(0.5 * 0.025 / 32));
+    const TimeStep air = stable_time_step(model, h, {2, 10}, false, true);
+    CHECK(air.size == both.size);
+}
+
+TEST_CASE("Water limits the step where it is the faster of both", "[time]") {
+    const TimeStep step = stable_time_step(samples::two_phase_model(), h, {80, 10}, true, true);
+    CHECK(step.criterion == LimitingCriterion::acoustic_water);
+    CHECK(step.size == Approx(0.5 * 0.025 / 110));
+}
+
+TEST_CASE("Viscosity limits the step by rho h^2 / (8 mu), where the model has it", "[time]") {
+    Model model = samples::two_phase_model();
+    model.air.viscosity = 2;
+    CHECK(stable_time_step(model, h, {0, 0}, true, true).criterion == LimitingCriterion::acoustic_air);
+    model.viscosity = GENERATE(Viscosity::approaching, Viscosity::symmetric);
+    const TimeStep step = stable_time_step(model, h, {0, 0}, true, true);
+    CHECK(step.criterion == LimitingCriterion::viscous);
+    CHECK(step.size == Approx(0.125 * 1 * 0.025 * 0.025 / 2));
+    CHECK(stable_time_step(model, h, {0, 0}, true, false).criterion == LimitingCriterion::acoustic_water);
+}
+
+TEST_CASE("Gravity limits the step by sqrt(h/g) / 4", "[time]") {
+    Model model = samples::two_phase_model();
+    model.gravity = {-3e5, 4e5};
+    const TimeStep step = stable_time_step(model, h, {0, 0}, true, true);
+    CHECK(step.criterion == LimitingCriterion::force);
+    CHECK(step.size == Approx(0.25 * std::sqrt(0.025 / 5e5)));
+}
+
+TEST_CASE("The acoustic step is proportional to the Courant number", "[time]") {
+    Model model = samples::two_phase_model();
+    const double half = stable_time_step(model, h, {0, 0}, true, true).size;
+    model.courant_number = 0.25;
+    CHECK(stable_time_step(model, h, {0, 0}, true, true).size == Approx(0.5 * half));
+}
+
+TEST_CASE("Every criterion has its name", "[time]") {
+    CHECK(limiting_criterion_names[static_cast<std::size_t>(LimitingCriterion::acoustic_water)] ==
+          std::string("acoustic_water"));
+    CHECK(limiting_criterion_names[static_cast<std::size_t>(LimitingCriterion::acoustic_air)] ==
+          std::string("acoustic_air"));
+    CHECK(limiting_criterion_names[static_cast<std::size_t>(LimitingCriterion::viscous)] ==
+          std::string("viscous"));
+    CHECK(limiting_criterion_names[static_cast<std::size_t>(LimitingCriterion::force)] ==
+          std::string("force"));
+}

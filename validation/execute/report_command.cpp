@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/execute/report_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "reports/report.hpp"
+#include "solver/core/errors.hpp"
+#include "validation/execute/pictures.hpp"
+#include "validation/metrics/analysis.hpp"
+#include "validation/metrics/summary_json.hpp"
+#include "validation/scene/scene.hpp"
+#include "validation/store/atomic_write.hpp"
+#include "validation/store/run_store.hpp"
+
+namespace wetdeck {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<RunSummary> read_runs(const fs::path& directory) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    if (!fs::is_directory(directory, error)) throw InputError(fmt::format("{}: no such directory", directory.string()));
+    for (const auto& entry : fs::recursive_directory_iterator(directory, fs::directory_options::skip_permission_denied)) {
+        if (entry.path().filename() == "run.h5" && entry.is_regular_file()) files.push_back(entry.path());
+    }
+    if (files.empty()) throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run", directory.string()));
+    std::vector<RunSummary> runs;
+    for (const fs::path& file : files) {
+        RunSummary run;
+        run.record = read_run(file);
+        run.directory = fs::relative(file.parent_path(), directory).string();
+        runs.push_back(std::move(run));
+    }
+    std::sort(runs.begin(), runs.end(), [](const RunSummary& a, const RunSummary& b) {
+        return std::tuple(a.record.scene, a.record.variant, -a.record.particle_spacing) <
+               std::tuple(b.record.scene, b.record.variant, -b.record.particle_spacing);
+    });
+    return runs;
+}
+
+/// A scene as the run saw it. Later runs of the same scene speak for it.
+std::map<std::string, Scene> scenes_of(const std::vector<RunSummary>& runs) {
+    std::map<std::string, Scene> scenes;
+    for (const RunSummary& run : runs) {
+        scenes.insert_or_assign(run.record.scene, parse_scene(run.record.scene_text, run.record.scene_path));
+    }
+    return scenes;
+}
+
+ProgramInfo program_info(const std::vector<RunSummary>& runs) {
+    const auto& c = runs.front().record.choices;
+    const auto get = [&c](const char* key) {
+        const auto found = c.find(key);
+        return found == c.end() ? std::string("unknown") : found->second;
+    };
+    ProgramInfo info;
+    info.version = get("program_version");
+    info.commit = get("commit");
+    info.compiler = get("compiler");
+    info.simd = get("simd");
+    info.threads = std::atoi(get("threads").c_str());
+    info.cpu = get("cpu");
+    info.cores = std::atoi(get("cores").c_str());
+    return info;
+}
+
+void read_suite_plan(const fs::path& directory, Summary& summary) {
+    std::ifstream in(directory / "suite.json");
+    if (!in) {
+        summary.tier = "single runs";
+        return;
+    }
+    const nlohmann::json plan = nlohmann::json::parse(in, nullptr, false);
+    if (!plan.is_object() || !plan.contains("tier") || !plan.contains("runs")) {
+        throw DataError(fmt::format("{}: expected an object with 'tier' and 'runs'", (directory / "suite.json").string()));
+    }
+    summary.tier = plan.at("tier").get<std::string>();
+    for (const auto& planned : plan.at("runs")) {
+        const std::string path = planned.get<std::string>();
+        const bool there = std::any_of(summary.runs.begin(), summary.runs.end(),
+                                       [&](const RunSummary& run) { return run.directory == path; });
+        if (!there) summary.missing.push_back(path);
+    }
+}
+
+}  // namespace
+
+void write_suite_plan(const fs::path& directory, const std::string& tier, const std::vector<std::string>& run_directories) {
+    make_directories(directory);
+    const nlohmann::json plan = {{"tier", tier}, {"runs", run_directories}};
+    atomic_write(directory / "suite.json", plan.dump(2) + "\n");
+}
+
+Summary make_report(const fs::path& directory) {
+    std::vector<RunSummary> runs = read_runs(directory);
+    const std::map<std::string, Scene> scenes = scenes_of(runs);
+    const ProgramInfo program = program_info(runs);
+    std::vector<AnalysisSpec> specifications;
+    for (const auto& [name, scene] : scenes) specifications.push_back(scene.analysis);
+    Summary summary = analyse(specifications, std::move(runs), reference_directory());
+    read_suite_plan(directory, summary);
+
+    report::ReportInputs inputs;
+    inputs.program = {{"version", program.version}, {"commit", program.commit}, {"compiler", program.compiler},
+                      {"instruction set", program.simd}};
+    inputs.machine = {{"cpu", program.cpu}, {"cores", std::to_string(program.cores)}};
+    inputs.plotly = report::load_plotly();
+    inputs.note = "Made from the stored runs alone by `wetdeck report`.";
+    for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
+    for (const RunSummary& run : summary.runs) {
+        if (!finest_of_variant(summary, run)) continue;
+        inputs.pictures[run.directory] = field_pictures(scenes.at(run.record.scene), run.record, directory / run.directory);
+    }
+    atomic_write(directory / "summary.json", summary_json(summary, program).dump(1) + "\n");
+    report::write_report(directory, summary, inputs);
+    return summary;
+}
+
+bool finest_of_variant(const Summary& summary, const RunSummary& run) {
+    return std::none_of(summary.runs.begin(), summary.runs.end(), [&](const RunSummary& other) {
+        return other.record.scene == run.record.scene && other.record.variant == run.record.variant &&
+               other.record.particle_spacing < run.record.particle_spacing;
+    });
+}
+
+bool within_tolerance(const Summary& summary) {
+    for (const RunSummary& run : summary.runs) {
+        if (run.record.variant == "paper" || !finest_of_variant(summary, run)) continue;
+        for (const QuantityResult& q : run.quantities) {
+            if (q.within && !*q.within) return false;
+        }
+        for (const ComparisonResult& c : run.comparisons) {
+            if (c.available && !c.within) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace wetdeck

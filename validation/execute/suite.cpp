@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/execute/suite.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <map>
+#include <set>
+
+#include "solver/core/errors.hpp"
+#include "validation/execute/progress.hpp"
+#include "validation/execute/run.hpp"
+#include "validation/store/atomic_write.hpp"
+#include "validation/store/run_directory.hpp"
+
+extern char** environ;
+
+namespace wetdeck {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int exit_unstable = 3, exit_environment = 4;
+
+/// Starts this program again for one row, with its output in a file of the run's directory.
+pid_t start(const SuiteRow& row, int threads) {
+    make_directories(row.directory);
+    const std::string log = (row.directory / "run.log").string();
+    const std::string spacing = fmt::format("{}", row.particle_spacing);
+    const std::string thread_text = std::to_string(threads);
+    const std::string directory = row.directory.string();
+    std::vector<std::string> arguments = {"wetdeck",   "run",     row.scene, "--variant", row.variant, "--dx",     spacing,
+                                          "--threads", thread_text, "--out",   directory,   "--replace"};
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", 0, 0);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, log.c_str(), 01 | 0100 | 01000, 0644);  // write, create, truncate
+    posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO);
+    pid_t child = 0;
+    const int error = posix_spawn(&child, "/proc/self/exe", &files, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (error != 0) throw environment_error(log, "start a run", error);
+    return child;
+}
+
+bool finished(const SuiteRow& row) {
+    const Scene scene = read_scene(find_scene(row.scene), row.variant);
+    RunOptions options;
+    options.particle_spacing = row.particle_spacing;
+    return holds_finished_run(row.directory) && identity_in(row.directory) == identity_of(scene, options);
+}
+
+std::string row_name(const SuiteRow& row) {
+    return fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
+}
+
+/// What one finished child means for the suite.
+int judge(const SuiteRow& row, int status) {
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : exit_environment;
+    if (code == exit_unstable) {
+        fmt::print("  {}: became unstable, see run.log in {}\n", row_name(row), row.directory.string());
+        return row.variant == "paper" ? 0 : exit_unstable;
+    }
+    if (code != 0) fmt::print("  {}: failed with code {}, see {}\n", row_name(row), code, (row.directory / "run.log").string());
+    return code;
+}
+
+}  // namespace
+
+fs::path run_path(const fs::path& directory, const std::string& scene, const std::string& variant, double particle_spacing) {
+    return directory / "runs" / scene / variant / fmt::format("dx{}", particle_spacing);
+}
+
+std::vector<SuiteRow> suite_rows(const SuiteOptions& options) {
+    std::vector<SuiteRow> rows;
+    for (const std::string& name : options.scenes.empty() ? scene_names() : options.scenes) {
+        const fs::path path = find_scene(name);
+        const Scene scene = read_scene(path);
+        const auto tier = scene.tiers.find(options.tier);
+        if (tier == scene.tiers.end()) {
+            throw InputError(fmt::format("{}: no tier '{}', expected quick, standard or paper", path.string(), options.tier));
+        }
+        for (const auto& [variant, spacings] : tier->second) {
+            const Scene varied = read_scene(path, variant);
+            for (const double dx : spacings) {
+                rows.push_back({name, variant, dx, estimate_cost(varied, dx).core_seconds,
+                                run_path(options.directory, scene.name(), variant, dx)});
+            }
+        }
+    }
+    std::stable_sort(rows.begin(), rows.end(), [](const SuiteRow& a, const SuiteRow& b) {
+        return a.estimated_core_seconds > b.estimated_core_seconds;
+    });
+    return rows;
+}
+
+int run_suite(const SuiteOptions& options) {
+    std::vector<SuiteRow> waiting;
+    for (const SuiteRow& row : suite_rows(options)) {
+        if (!options.fresh && finished(row)) {
+            fmt::print("  {}: finished before, reused\n", row_name(row));
+        } else {
+            waiting.push_back(row);
+        }
+    }
+    double total = 0, done = 0;
+    for (const SuiteRow& row : waiting) total += row.estimated_core_seconds;
+    const int cores = omp_get_num_procs();
+    const int jobs = options.jobs > 0 ? options.jobs : cores;
+    fmt::print("{} runs to do, about {} on {} cores\n", waiting.size(), duration_text(total / cores), cores);
+    std::fflush(stdout);
+
+    Progress progress("suite");
+    std::map<pid_t, SuiteRow> running;
+    int worst = 0;
+    std::size_t next = 0, ended = 0;
+    while (next < waiting.size() || !running.empty()) {
+        while (next < waiting.size() && running.size() < static_cast<std::size_t>(jobs)) {
+            const SuiteRow& row = waiting[next++];
+            running.emplace(start(row, std::max(1, cores / jobs)), row);
+        }
+        int status = 0;
+        const pid_t child = waitpid(-1, &status, WNOHANG);
+        if (child <= 0) {
+            usleep(100'000);
+            progress.update(total > 0 ? done / total : 0, fmt::format("{} of {} runs", ended, waiting.size()));
+            continue;
+        }
+        const SuiteRow row = running.at(child);
+        running.erase(child);
+        worst = std::max(worst, judge(row, status));
+        done += row.estimated_core_seconds;
+        ++ended;
+        fmt::print("  {}: done ({} of {})\n", row_name(row), ended, waiting.size());
+        std::fflush(stdout);
+    }
+    return worst;
+}
+
+}  // namespace wetdeck

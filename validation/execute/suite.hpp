@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The matrix of runs of a tier: scene x variant x spacing, run by a local pool of processes, longest first.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "validation/scene/scene.hpp"
+
+namespace wetdeck {
+
+struct SuiteRow {
+    std::string scene;    ///< name or path
+    std::string variant;
+    double particle_spacing = 0;
+    double estimated_core_seconds = 0;
+    std::filesystem::path directory;  ///< of the run
+};
+
+struct SuiteOptions {
+    std::string tier = "quick";
+    std::vector<std::string> scenes;  ///< empty: all that come with the program
+    std::filesystem::path directory;
+    int jobs = 0;        ///< runs at a time; 0: one per core
+    bool fresh = false;  ///< run again what is finished
+};
+
+/// Every row of the tier, longest first. Throws InputError for an unknown tier or scene.
+std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
+
+/// Runs the rows that are not finished. Returns the worst exit code of a row (0, 3, or 2 and 4 for failures), where a
+/// `paper` variant that becomes unstable has done its work.
+int run_suite(const SuiteOptions& options);
+
+/// DIR/runs/SCENE/VARIANT/dxDX
+std::filesystem::path run_path(const std::filesystem::path& directory, const std::string& scene,
+                               const std::string& variant, double particle_spacing);
+
+}  // namespace wetdeck

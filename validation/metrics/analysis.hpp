@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From stored runs to everything the report shows.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "validation/metrics/specification.hpp"
+#include "validation/metrics/summary.hpp"
+
+namespace wetdeck {
+
+/// Evaluates every run (record and directory filled in by the caller) against the specification of its scene:
+/// quantities, comparisons, energy and momentum error; then convergence per scene, variant and quantity over
+/// the runs that ended well, and error against cost for the scenes that name an error quantity. References
+/// are read from reference_directory/<scene>/. A run whose scene has no specification keeps its conservation
+/// errors only. `tier` and `missing` are left to the caller. Throws InputError for a specification, DataError
+/// for a reference file, that is not sound.
+Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary> runs,
+                const std::filesystem::path& reference_directory);
+
+}  // namespace wetdeck

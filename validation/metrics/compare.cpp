@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparison of a series of a run with a reference curve.
+#include "validation/metrics/compare.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/metrics/resample.hpp"
+
+namespace wetdeck {
+namespace {
+
+void add_note(ComparisonResult& result, const std::string& note) {
+    if (note.empty()) return;
+    result.note += (result.note.empty() ? "" : "; ") + note;
+}
+
+std::string spans(const char* who, const Curve& curve, const Window& window) {
+    return fmt::format("{} spans {:.6g} to {:.6g}, the window is {:.6g} to {:.6g}", who, curve.x.front(),
+                       curve.x.back(), window.begin, window.end);
+}
+
+/// Where the metrics are taken, or nothing with a note that says why there are none.
+std::optional<Window> comparison_window(ComparisonResult& result, const RunRecord& record) {
+    if (!result.window && record.status != RunStatus::ok) {
+        add_note(result, "the run stopped early and the comparison has no window");
+        return std::nullopt;
+    }
+    const Window wanted = result.window.value_or(extent(result.simulated));
+    const auto known = overlap(result.measured, wanted);
+    if (!known) {
+        add_note(result, spans("the reference", result.measured, wanted));
+        return std::nullopt;
+    }
+    if (result.window && !covers(result.measured, wanted))
+        add_note(result, spans("the reference", result.measured, wanted));
+    if (!covers(result.simulated, *known)) {
+        add_note(result, spans("the series", result.simulated, *known));
+        return std::nullopt;
+    }
+    return overlap(result.simulated, *known);
+}
+
+void compute_metrics(ComparisonResult& result, const Window& window) {
+    const Curve simulated = clip(result.simulated, window);
+    const Curve measured = clip(result.measured, window);
+    const auto [lowest, highest] = std::minmax_element(measured.y.begin(), measured.y.end());
+    const double range = *highest - *lowest;
+    if (range <= 0) {
+        add_note(result, "the reference is constant in the window, nothing to normalise with");
+        return;
+    }
+    result.nrmse = rms_difference(result.simulated, result.measured, window) / range;
+    result.within = *result.nrmse <= result.tolerance;
+    const std::size_t s = index_of_maximum(simulated);
+    const std::size_t m = index_of_maximum(measured);
+    if (measured.y[m] != 0) result.peak_error = (simulated.y[s] - measured.y[m]) / std::abs(measured.y[m]);
+    if (m > 0 && m + 1 < measured.x.size()) result.time_error = simulated.x[s] - measured.x[m];
+}
+
+}  // namespace
+
+ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, ReferenceShelf& references) {
+    ComparisonResult result;
+    result.title = spec.title;
+    result.quantity = spec.quantity;
+    result.reference = spec.reference;
+    result.tolerance = spec.tolerance;
+    result.x_label = spec.x_label;
+    result.y_label = spec.y_label;
+    result.window = spec.window;
+
+    SeriesCurve series = series_curve(record, spec.quantity, spec.x_scale, spec.y_scale, spec.y_offset);
+    result.simulated = std::move(series.curve);
+    add_note(result, series.problem);
+
+    const Reference* reference = references.find(spec.reference);
+    if (reference == nullptr) {
+        result.available = false;
+        add_note(result, curve_not_available(spec.reference));
+        return result;
+    }
+    result.kind = reference->kind;
+    result.citation = reference->citation;
+    result.reference_uncertainty = reference->u_data;
+    result.measured = scaled_reference(*reference, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
+    if (const auto empty = find_column(*reference, spec.y_column).empty_cells; empty > 0) {
+        add_note(result, fmt::format("{} empty cells of column '{}' left out", empty, spec.y_column));
+    }
+    if (!series.problem.empty()) return result;
+    if (const auto window = comparison_window(result, record)) compute_metrics(result, *window);
+    return result;
+}
+
+}  // namespace wetdeck

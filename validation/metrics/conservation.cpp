@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How well a run kept what the equations conserve.
+#include "validation/metrics/conservation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "validation/metrics/resample.hpp"
+
+namespace wetdeck {
+
+std::optional<double> energy_error(const RunRecord& record) {
+    const SeriesCurve kinetic = series_curve(record, "energy_kinetic", 1, 1);
+    const SeriesCurve potential = series_curve(record, "energy_potential", 1, 1);
+    const SeriesCurve compression = series_curve(record, "energy_compression", 1, 1);
+    for (const SeriesCurve* part : {&kinetic, &potential, &compression}) {
+        if (!part->problem.empty() || part->curve.x != kinetic.curve.x) return std::nullopt;
+    }
+    const auto& height = potential.curve.y;
+    const auto [lowest_height, highest_height] = std::minmax_element(height.begin(), height.end());
+    const double scale = std::max(*highest_height - *lowest_height, std::abs(height.front()));
+    if (scale == 0) return std::nullopt;
+    double lowest = kinetic.curve.y[0] + height[0] + compression.curve.y[0];
+    double rise = 0;
+    for (std::size_t i = 0; i < height.size(); ++i) {
+        const double total = kinetic.curve.y[i] + height[i] + compression.curve.y[i];
+        lowest = std::min(lowest, total);
+        rise = std::max(rise, total - lowest);
+    }
+    return rise / scale;
+}
+
+std::optional<double> momentum_error(const RunRecord& record) {
+    const SeriesCurve series = series_curve(record, "momentum_error", 1, 1);
+    if (!series.problem.empty()) return std::nullopt;
+    double largest = 0;
+    for (const double error : series.curve.y) largest = std::max(largest, std::abs(error));
+    return largest;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Quantities of interest: one number from one series of a run.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "validation/metrics/reference.hpp"
+#include "validation/metrics/specification.hpp"
+#include "validation/metrics/summary.hpp"
+
+namespace wetdeck {
+
+/// The reference files of one scene, each read once.
+class ReferenceShelf {
+  public:
+    /// `directory` holds the files of the scene, for example reference_data/dam_break.
+    explicit ReferenceShelf(std::filesystem::path directory) : directory_(std::move(directory)) {}
+
+    /// The file `stem`.csv, or null if there is none. Throws DataError if it is there but not sound.
+    const Reference* find(const std::string& stem);
+
+  private:
+    std::filesystem::path directory_;
+    std::map<std::string, std::optional<Reference>> files_;
+};
+
+/// What is written where a reference file is not there.
+std::string curve_not_available(const std::string& stem);
+
+/// A column of a reference as a scaled curve: a column without a unit is scaled already, one in SI units is
+/// divided by the scale.
+Curve scaled_reference(const Reference& reference, const std::string& x_column, const std::string& y_column,
+                       double x_scale, double y_scale);
+
+/// Takes the quantity from the run. Metrics over the scaled series y(x), in its window (the whole series if
+/// there is none):
+///   mean, standard_deviation   averages over x by the trapezoidal rule (so that uneven sampling does not
+///   weigh) maximum, time_of_maximum, minimum slope                      least squares over the samples,
+///   dy/dx first_crossing             first x in the window where y rises from below `threshold` to it or
+///   above, interpolated value_at                   y at x = `threshold` rms_difference             see
+///   resample.hpp, against the first and the `y_column` column of `reference`
+/// The value is empty, with a note, where the series is missing or not sound, the reference is missing, the
+/// threshold is not reached, or the series covers less than `required_coverage` of the window. Throws
+/// InputError for an unknown metric or a key that the metric needs and the specification lacks.
+QuantityResult evaluate_quantity(const QuantitySpec& spec, const RunRecord& record,
+                                 ReferenceShelf& references);
+
+}  // namespace wetdeck

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reference curves: the CSV files of reference_data/ and those of users. The format is described in
+// reference_data/README.md; nothing here repairs a file, it is read as it stands or refused.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "validation/metrics/curve.hpp"
+
+namespace wetdeck {
+
+/// One column of a reference file.
+struct Column {
+    std::string name;
+    std::string unit;            ///< SI, or "-" for a value that is scaled already
+    std::vector<double> values;  ///< NaN where the cell is empty
+    std::size_t empty_cells = 0;
+};
+
+/// One reference file. The first column is strictly increasing and has no empty cell.
+struct Reference {
+    std::string kind;  ///< experiment, peer-simulation, analytic, stated
+    std::string citation;
+    std::optional<double> u_data;             ///< relative standard uncertainty, k = 1; empty if unknown
+    std::map<std::string, std::string> keys;  ///< the whole header, the above included
+    std::vector<Column> columns;
+    std::string hash;  ///< of the bytes of the file, "fnv1a64:" and 16 hexadecimal digits
+    std::filesystem::path path;
+};
+
+/// Reads and checks a reference file of at most 20 MB. Throws DataError, "file:line: what was found, what was
+/// expected".
+Reference load_reference(const std::filesystem::path& path);
+
+/// The column of that name; throws DataError, naming the columns there are.
+const Column& find_column(const Reference& reference, const std::string& name);
+
+/// y over x. Rows whose x or y cell is empty are dropped; `Column::empty_cells` tells how many a column has.
+/// Throws DataError if a column is missing, if x is not strictly increasing or if no row is left.
+Curve column_curve(const Reference& reference, const std::string& x_column, const std::string& y_column);
+
+}  // namespace wetdeck

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scaling, cutting and linear interpolation of curves.
+#include "validation/metrics/resample.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wetdeck {
+
+SeriesCurve series_curve(const RunRecord& record, const std::string& name, double x_scale, double y_scale,
+                         double y_offset) {
+    const auto found = record.series.find(name);
+    if (found == record.series.end()) return {{}, fmt::format("the run has no series '{}'", name)};
+    const Series& series = found->second;
+    if (series.columns() != 1) return {{}, fmt::format("series '{}' has several columns", name)};
+    if (series.time.empty()) return {{}, fmt::format("series '{}' is empty", name)};
+    if (series.time.size() != series.value.size()) {
+        return {{},
+                fmt::format("series '{}' has {} times and {} values", name, series.time.size(),
+                            series.value.size())};
+    }
+    SeriesCurve result;
+    for (std::size_t i = 0; i < series.time.size(); ++i) {
+        const double x = series.time[i] / x_scale;
+        const double y = series.value[i] / y_scale - y_offset;
+        if (!std::isfinite(x) || !std::isfinite(y)) {
+            result.problem =
+                fmt::format("series '{}' is not finite at sample {}, t = {:.6g} s", name, i, series.time[i]);
+            return result;
+        }
+        if (i > 0 && x <= result.curve.x.back()) {
+            result.problem =
+                fmt::format("the time of series '{}' does not increase at sample {}, t = {:.6g} s", name, i,
+                            series.time[i]);
+            return result;
+        }
+        result.curve.x.push_back(x);
+        result.curve.y.push_back(y);
+    }
+    return result;
+}
+
+double interpolate(const Curve& curve, double x) {
+    if (x <= curve.x.front()) return curve.y.front();
+    if (x >= curve.x.back()) return curve.y.back();
+    const auto right =
+        static_cast<std::size_t>(std::upper_bound(curve.x.begin(), curve.x.end(), x) - curve.x.begin());
+    const double share = (x - curve.x[right - 1]) / (curve.x[right] - curve.x[right - 1]);
+    return std::lerp(curve.y[right - 1], curve.y[right], share);
+}
+
+Window extent(const Curve& curve) {
+    return {curve.x.front(), curve.x.back()};
+}
+
+std::optional<Window> overlap(const Curve& curve, const Window& window) {
+    if (curve.x.empty()) return std::nullopt;
+    const Window common{std::max(curve.x.front(), window.begin), std::min(curve.x.back(), window.end)};
+    if (common.end <= common.begin) return std::nullopt;
+    return common;
+}
+
+bool covers(const Curve& curve, const Window& window) {
+    const auto common = overlap(curve, window);
+    return common && common->end - common->begin >= required_coverage * (window.end - window.begin);
+}
+
+Curve clip(const Curve& curve, const Window& window) {
+    const auto common = overlap(curve, window);
+    if (!common) return {};
+    Curve part{{common->begin}, {interpolate(curve, common->begin)}};
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        if (curve.x[i] <= common->begin || curve.x[i] >= common->end) continue;
+        part.x.push_back(curve.x[i]);
+        part.y.push_back(curve.y[i]);
+    }
+    part.x.push_back(common->end);
+    part.y.push_back(interpolate(curve, common->end));
+    return part;
+}
+
+double rms_difference(const Curve& a, const Curve& b, const Window& window) {
+    double sum = 0;
+    for (int i = 0; i < comparison_instants; ++i) {
+        const double x =
+            std::lerp(window.begin, window.end, static_cast<double>(i) / (comparison_instants - 1));
+        const double difference = interpolate(a, x) - interpolate(b, x);
+        sum += difference * difference;
+    }
+    return std::sqrt(sum / comparison_instants);
+}
+
+std::size_t index_of_maximum(const Curve& curve) {
+    return static_cast<std::size_t>(std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin());
+}
+
+}  // namespace wetdeck

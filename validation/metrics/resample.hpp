@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scaling, cutting and linear interpolation of curves.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "validation/metrics/curve.hpp"
+#include "validation/metrics/specification.hpp"
+#include "validation/store/run_record.hpp"
+
+namespace wetdeck {
+
+/// Number of equidistant instants of every difference of two curves, both ends of the window included.
+inline constexpr int comparison_instants = 2000;
+
+/// A window has to be covered to this share of its length for a number to be given.
+inline constexpr double required_coverage = 0.98;
+
+/// A series as a curve, or the reason why it is none.
+struct SeriesCurve {
+    Curve curve;          ///< scaled; up to the last sound sample if there is a problem
+    std::string problem;  ///< empty if the whole series is sound
+};
+
+/// (time / x_scale, value / y_scale - y_offset) of a one-dimensional series. A series that is missing or
+/// empty, has several columns, holds a value that is not finite or times that do not increase comes back with
+/// the problem named: no number may be taken from it.
+SeriesCurve series_curve(const RunRecord& record, const std::string& series, double x_scale, double y_scale,
+                         double y_offset = 0);
+
+/// Linear interpolation; x outside the curve takes the value of the nearer end. The curve must not be empty.
+double interpolate(const Curve& curve, double x);
+
+/// The samples inside the window and, where the curve crosses them, its interpolated ends.
+Curve clip(const Curve& curve, const Window& window);
+
+/// The part of the window that the curve spans; empty if that is a single instant or less.
+std::optional<Window> overlap(const Curve& curve, const Window& window);
+
+/// From the first to the last abscissa. The curve must not be empty.
+Window extent(const Curve& curve);
+
+/// The curve spans at least `required_coverage` of the window.
+bool covers(const Curve& curve, const Window& window);
+
+/// Root mean square difference at `comparison_instants` equidistant instants of the window, both curves
+/// interpolated linearly.
+double rms_difference(const Curve& a, const Curve& b, const Window& window);
+
+/// Index of the largest value of a curve that is not empty, the first one if there are several.
+std::size_t index_of_maximum(const Curve& curve);
+
+}  // namespace wetdeck

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `wetdeck list` and `wetdeck describe`.
+#pragma once
+
+#include <string>
+
+namespace wetdeck {
+
+void print_list(bool as_json);
+void print_description(const std::string& scene);
+
+}  // namespace wetdeck

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line. Exit codes: 0 done and within tolerance; 1 outside a stated tolerance; 2 bad usage or input; 3 a run became
+// unstable; 4 the environment failed.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "solver/core/errors.hpp"
+#include "solver/pair_loop/pair_loop.hpp"
+#include "validation/execute/assemble.hpp"
+#include "validation/execute/report_command.hpp"
+#include "validation/execute/run.hpp"
+#include "validation/execute/suite.hpp"
+#include "validation/metrics/reference.hpp"
+#include "validation/program/describe.hpp"
+#include "validation/store/provenance.hpp"
+
+namespace wetdeck {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int exit_done = 0, exit_outside = 1, exit_usage = 2, exit_unstable = 3, exit_environment = 4;
+
+struct Options {
+    // run
+    std::string scene;
+    std::string variant;
+    double particle_spacing = 0;
+    std::vector<std::string> overrides;
+    double until = 0;
+    int threads = 0;
+    bool replace = false;
+    // suite
+    SuiteOptions suite;
+    // all
+    std::string out;
+    bool json = false, quiet = false;
+};
+
+void print_outcome(const RunRecord& record, const fs::path& directory) {
+    const RunCost& cost = record.cost;
+    fmt::print("{} {} dx {}: {}{}\n", record.scene, record.variant, record.particle_spacing, to_string(record.status),
+               record.stop_reason.empty() ? "" : ", " + record.stop_reason);
+    fmt::print("  {} fluid particles, {} steps in {:.2f} s: {:.2f} M particle-steps/s, {:.0f} bytes per particle\n",
+               record.fluid_particles, cost.steps, cost.wall_s, cost.particle_steps / cost.wall_s / 1e6,
+               record.parameters.at("bytes_per_particle"));
+    fmt::print("  results in {}\n", directory.string());
+}
+
+int run_command(const Options& options) {
+    const fs::path path = find_scene(options.scene);
+    const std::optional<std::string> variant =
+        options.variant.empty() ? std::nullopt : std::optional<std::string>(options.variant);
+    const Scene scene = read_scene(path, variant, options.overrides);
+    RunOptions run;
+    run.particle_spacing = options.particle_spacing;
+    if (run.particle_spacing == 0) {
+        const auto tier = scene.tiers.find("quick");
+        const bool listed = tier != scene.tiers.end() && tier->second.count(scene.variant) > 0;
+        if (!listed) throw InputError("--dx is missing: the scene names no quick spacing for this variant");
+        run.particle_spacing = tier->second.at(scene.variant).back();
+    }
+    if (options.until != 0) run.until = options.until;
+    run.threads = options.threads;
+    run.replace = options.replace;
+    run.directory = options.out.empty() ? run_path("results", scene.name(), scene.variant, run.particle_spacing) : fs::path(options.out);
+    Progress progress(fmt::format("{} {} dx {}", scene.name(), scene.variant, run.particle_spacing), options.quiet);
+    const RunRecord record = run_scene(scene, run, progress);
+    print_outcome(record, run.directory);
+    return record.status == RunStatus::ok ? exit_done : exit_unstable;
+}
+
+int suite_command(Options& options) {
+    SuiteOptions& suite = options.suite;
+    suite.directory = options.out.empty() ? fs::path("results") / suite.tier : fs::path(options.out);
+    std::vector<std::string> planned;
+    for (const SuiteRow& row : suite_rows(suite)) planned.push_back(fs::relative(row.directory, suite.directory).string());
+    write_suite_plan(suite.directory, suite.tier, planned);
+    const int worst = run_suite(suite);
+    const Summary summary = make_report(suite.directory);
+    fmt::print("report: {}\n", (suite.directory / "index.html").string());
+    if (worst != 0) return worst;
+    return within_tolerance(summary) ? exit_done : exit_outside;
+}
+
+int report_command(const Options& options) {
+    const Summary summary = make_report(options.out);
+    fmt::print("report: {}\n", (fs::path(options.out) / "index.html").string());
+    return within_tolerance(summary) ? exit_done : exit_outside;
+}
+
+/// A scene file in every variant, or a reference curve.
+int check_command(const std::string& file) {
+    if (fs::path(file).extension() == ".csv") {
+        const Reference reference = load_reference(file);
+        fmt::print("{}: {} reference, {} columns, no error found\n", file, reference.kind, reference.columns.size());
+        return exit_done;
+    }
+    const Scene scene = read_scene(file);
+    for (const VariantInfo& variant : scene.variants) {
+        const Scene varied = read_scene(file, variant.name);
+        for (const auto& [tier, variants] : varied.tiers) {
+            const auto spacings = variants.find(variant.name);
+            if (spacings == variants.end()) continue;
+            for (const double dx : spacings->second) check_spacing(varied, dx);
+        }
+    }
+    fmt::print("{}: scene '{}' with {} variants, no error found\n", file, scene.name(), scene.variants.size());
+    return exit_done;
+}
+
+int version_command() {
+    const Model model;
+    const Provenance p = collect_provenance(pair_loops(model).instruction_set, static_cast<unsigned>(omp_get_max_threads()));
+    fmt::print("wetdeck {}\ncommit {}\ncompiler {} ({})\ninstruction set {}\nthreads {}\n", p.program_version, p.commit, p.compiler,
+               p.build_type, p.simd, p.threads);
+    return exit_done;
+}
+
+int dispatch(int argc, char** argv) {
+    Options options;
+    CLI::App app{"wetdeck: two-phase SPH of bodies that slam into water, checked against experiments and exact solutions"};
+    app.require_subcommand(0, 1);
+    bool version = false;
+    app.add_flag("--version", version, "version, commit, compiler, instruction set, threads");
+    app.footer("Exit codes: 0 done and within tolerance, 1 outside a stated tolerance, 2 bad usage or input,\n"
+               "3 a run became unstable, 4 the environment failed (disk full, no permission).");
+
+    CLI::App* suite = app.add_subcommand("suite", "run every scene, spacing and variant of a tier, compare, write the report");
+    suite->add_option("--tier", options.suite.tier, "quick, standard or paper")->capture_default_str();
+    suite->add_option("--only", options.suite.scenes, "scenes to run, separated by commas")->delimiter(',');
+    suite->add_option("--out", options.out, "directory of the results (results/TIER)");
+    suite->add_option("--jobs", options.suite.jobs, "runs at a time (one per core)")->check(CLI::Range(1, 4096));
+    suite->add_flag("--fresh", options.suite.fresh, "run again what is finished");
+
+    CLI::App* run = app.add_subcommand("run", "one run of a scene");
+    run->add_option("scene", options.scene, "name from `wetdeck list`, or path of a scene file")->required();
+    run->add_option("--variant", options.variant, "variant of the scene (its default)");
+    run->add_option("--dx", options.particle_spacing, "particle spacing [m] (the finest of the quick tier)");
+    run->add_option("--set", options.overrides, "KEY=VALUE: overrides a key of the scene file")->allow_extra_args(false);
+    run->add_option("--until", options.until, "stop time [s] (the scene's)");
+    run->add_option("--out", options.out, "run directory (results/runs/...)");
+    run->add_option("--threads", options.threads, "threads (all)")->check(CLI::Range(1, 4096));
+    run->add_flag("--replace", options.replace, "replace the run that the directory holds");
+    run->add_flag("--quiet", options.quiet, "no progress");
+
+    CLI::App* report = app.add_subcommand("report", "write the report again from the stored runs alone");
+    report->add_option("directory", options.out, "directory of a suite or a run")->required();
+
+    CLI::App* list = app.add_subcommand("list", "scenes and their variants");
+    list->add_flag("--json", options.json, "as JSON");
+    CLI::App* describe = app.add_subcommand("describe", "set-up, references and cost of one scene");
+    describe->add_option("scene", options.scene, "name or path")->required();
+    CLI::App* check = app.add_subcommand("check", "validate a scene file (.toml) or a reference curve (.csv)");
+    check->add_option("file", options.scene, "path")->required();
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        fmt::print(stderr, "wetdeck: {}; see wetdeck --help\n", error.what());
+        return exit_usage;
+    }
+    if (version) return version_command();
+    if (*suite) return suite_command(options);
+    if (*run) return run_command(options);
+    if (*report) return report_command(options);
+    if (*list) return print_list(options.json), exit_done;
+    if (*describe) return print_description(options.scene), exit_done;
+    if (*check) return check_command(options.scene);
+    std::cout << app.help();
+    return exit_done;
+}
+
+}  // namespace
+}  // namespace wetdeck
+
+int main(int argc, char** argv) {
+    using namespace wetdeck;
+    try {
+        return dispatch(argc, argv);
+    } catch (const InputError& error) {
+        fmt::print(stderr, "wetdeck: {}\n", error.what());
+        return exit_usage;
+    } catch (const EnvironmentError& error) {
+        fmt::print(stderr, "wetdeck: {}\n", error.what());
+        return exit_environment;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "wetdeck: {}\n", error.what());
+        return exit_environment;
+    }
+}

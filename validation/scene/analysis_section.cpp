@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene measures and what it is compared with.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "validation/scene/sections.hpp"
+
+namespace wetdeck {
+namespace {
+
+const std::vector<std::string> metric_names = {"mean",         "standard_deviation", "maximum",        "time_of_maximum",
+                                               "minimum",      "slope",              "first_crossing", "value_at",
+                                               "rms_difference"};
+
+/// A scale is a name from [scales] or a number.
+double scale(const TomlTable& table, const std::string& key, const Scales& scales) {
+    if (!table.has(key)) return 1;
+    std::vector<std::string> names;
+    for (const auto& [name, value] : scales) names.push_back(name);
+    return scales.at(table.choice(key, names));
+}
+
+std::optional<Window> window(const TomlTable& table) {
+    if (!table.has("window")) return std::nullopt;
+    const std::vector<double> ends = table.numbers("window", 2);
+    if (!(ends[0] < ends[1])) table.fail("window", "expected a begin below its end");
+    return Window{ends[0], ends[1]};
+}
+
+QuantitySpec read_quantity(const TomlTable& table, const Scales& scales) {
+    QuantitySpec q;
+    q.name = table.text("name");
+    q.metric = table.choice("metric", metric_names);
+    q.series = table.text("series");
+    q.x_scale = scale(table, "x_scale", scales);
+    q.y_scale = scale(table, "y_scale", scales);
+    q.window = window(table);
+    q.threshold = table.optional_number("threshold");
+    q.reference = table.text_or("reference", "");
+    q.y_column = table.text_or("y_column", "");
+    q.unit = table.text_or("unit", "-");
+    q.expected = table.optional_number("expected");
+    q.tolerance = table.optional_number("tolerance");
+    q.expected_source = table.text_or("expected_source", "");
+    const bool needs_threshold = q.metric == "first_crossing" || q.metric == "value_at";
+    if (needs_threshold && !q.threshold) table.fail("threshold", "missing, the metric " + q.metric + " needs it");
+    const bool needs_reference = q.metric == "rms_difference";
+    if (needs_reference && (q.reference.empty() || q.y_column.empty() || !q.window)) {
+        table.fail("reference", "rms_difference needs reference, y_column and window");
+    }
+    if (q.expected && !q.tolerance) table.fail("tolerance", "missing beside 'expected'");
+    table.finish();
+    return q;
+}
+
+ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales) {
+    ComparisonSpec c;
+    c.title = table.text("title");
+    c.quantity = table.text("quantity");
+    c.reference = table.text("reference");
+    c.x_column = table.text("x_column");
+    c.y_column = table.text("y_column");
+    c.x_scale = scale(table, "x_scale", scales);
+    c.y_scale = scale(table, "y_scale", scales);
+    c.y_offset = table.number_or("y_offset", 0);
+    c.window = window(table);
+    c.tolerance = table.positive("tolerance");
+    c.x_label = table.text_or("x_label", c.x_column);
+    c.y_label = table.text_or("y_label", c.y_column);
+    table.finish();
+    return c;
+}
+
+}  // namespace
+
+void read_analysis(const TomlTable& root, Scene& scene) {
+    Scales scales;
+    if (const std::optional<TomlTable> table = root.optional_table("scales")) {
+        for (const std::string& name : table->keys()) scales[name] = table->positive(name);
+    }
+    AnalysisSpec& analysis = scene.analysis;
+    std::set<std::string> names;
+    for (const TomlTable& table : root.tables("quantities")) {
+        analysis.quantities.push_back(read_quantity(table, scales));
+        if (!names.insert(analysis.quantities.back().name).second) table.fail("name", "is used twice");
+    }
+    for (const TomlTable& table : root.tables("compare")) analysis.comparisons.push_back(read_comparison(table, scales));
+    for (const TomlTable& table : root.tables("deviations")) {
+        analysis.deviations.push_back(
+            {table.text("item"), table.text("source"), table.text("used"), table.text("reason")});
+        table.finish();
+    }
+    analysis.limits = root.texts("limits");
+    analysis.error_quantity = root.text_or("error_quantity", "");
+    if (!analysis.error_quantity.empty() && !names.count(analysis.error_quantity)) {
+        root.fail("error_quantity", fmt::format("'{}' is not among [[quantities]]", analysis.error_quantity));
+    }
+}
+
+void read_probes(const TomlTable& root, Scene& scene) {
+    std::set<std::string> names;
+    for (const TomlTable& table : root.tables("probes")) {
+        ProbeSpec probe;
+        probe.name = table.text("name");
+        if (!names.insert(probe.name).second) table.fail("name", "is used twice");
+        const std::string type = table.choice("type", {"front", "wall_pressure", "water_depth"});
+        if (type == "wall_pressure") {
+            probe.type = ProbeSpec::Type::wall_pressure;
+            const std::vector<double> centre = table.numbers("centre", 2);
+            probe.centre = {centre[0], centre[1]};
+            probe.diameter = table.positive("diameter");
+        } else if (type == "water_depth") {
+            probe.type = ProbeSpec::Type::water_depth;
+            probe.x = table.number("x");
+            probe.width = table.positive("width");
+        }
+        probe.note = table.text_or("note", "");
+        table.finish();
+        scene.probes.push_back(probe);
+    }
+}
+
+}  // namespace wetdeck

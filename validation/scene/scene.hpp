@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene: everything a scene file says, for one variant, as plain data.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/core/model.hpp"
+#include "solver/core/vec2.hpp"
+#include "validation/metrics/specification.hpp"
+
+namespace wetdeck {
+
+struct ProbeSpec {
+    enum class Type { front, wall_pressure, water_depth };
+    std::string name;
+    Type type = Type::front;
+    Vec2 centre = Vec2::Zero();  ///< wall_pressure [m]
+    double diameter = 0;         ///< wall_pressure [m]
+    double x = 0, width = 0;     ///< water_depth [m]
+    std::string note;
+};
+
+struct InitialPressure {
+    enum class Law { hydrostatic, greco };
+    Law law = Law::hydrostatic;
+    double surface = 0;        ///< height of the water's surface [m]
+    double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
+};
+
+struct VariantInfo {
+    std::string name;
+    std::string description;
+};
+
+/// Spacings [m] by variant.
+using Tier = std::map<std::string, std::vector<double>>;
+
+struct Scene {
+    AnalysisSpec analysis;
+    std::string variant;
+    std::vector<VariantInfo> variants;
+    std::map<std::string, Tier> tiers;
+    Model model;
+    bool air = true;
+    Box tank;
+    std::vector<Box> water_boxes, air_boxes;
+    InitialPressure initial;
+    std::vector<ProbeSpec> probes;
+    double end_time = 0;         ///< [s]
+    double sample_interval = 0;  ///< of the probes [s]
+    std::vector<double> frame_times;    ///< of the field files [s], sorted
+    std::vector<double> picture_times;  ///< of the frames that the report shows [s]
+    std::string text;      ///< the file as read
+    std::string path;      ///< where it was read
+    std::string resolved;  ///< the document after variant and --set: what decides a run
+
+    const std::string& name() const { return analysis.scene; }
+};
+
+/// Reads and checks a scene file for one variant (the default one if not named), with KEY=VALUE overrides on top.
+/// Throws InputError "file:line: key 'a.b': what was expected".
+Scene read_scene(const std::filesystem::path& path, const std::optional<std::string>& variant = std::nullopt,
+                 const std::vector<std::string>& overrides = {});
+
+/// The same from a text that was stored with a run.
+Scene parse_scene(const std::string& text, const std::string& path, const std::optional<std::string>& variant = std::nullopt,
+                  const std::vector<std::string>& overrides = {});
+
+/// Names of the scenes that come with the program, and where a name or path leads.
+std::vector<std::string> scene_names();
+std::filesystem::path find_scene(const std::string& name_or_path);
+
+/// Where installed or source data lie: scenes/ and reference_data/. The environment variable WETDECK_DATA names another root.
+std::filesystem::path scene_directory();
+std::filesystem::path reference_directory();
+
+/// Particles, steps and particle-steps that a run at this spacing will take, from the scene alone.
+struct CostEstimate {
+    double fluid_particles = 0;
+    double steps = 0;
+    double particle_steps = 0;
+    double core_seconds = 0;  ///< at the throughput this program reaches per core on AVX-512
+};
+CostEstimate estimate_cost(const Scene& scene, double particle_spacing);
+
+}  // namespace wetdeck

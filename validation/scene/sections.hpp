@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The sections of a scene file, each read by one function.
+#pragma once
+
+#include "validation/scene/scene.hpp"
+#include "validation/scene/toml_reader.hpp"
+
+namespace wetdeck {
+
+/// Scales by name ("time", "length", "pressure"), as quantities and comparisons refer to them.
+using Scales = std::map<std::string, double>;
+
+/// [water], [air], [model], gravity, tank.slip -> Model.
+void read_model(const TomlTable& root, Scene& scene);
+/// [[quantities]], [[compare]], [[deviations]], limits.
+void read_analysis(const TomlTable& root, Scene& scene);
+/// [[probes]]
+void read_probes(const TomlTable& root, Scene& scene);
+
+}  // namespace wetdeck

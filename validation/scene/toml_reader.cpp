@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// toml++ 3.3 aborts on some malformed input where assertions are on; with NDEBUG it reports a parse error.
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+#define TOML_ENABLE_FORMATTERS 1
+#include "validation/scene/toml_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "solver/core/errors.hpp"
+
+namespace wetdeck {
+
+struct TomlTable::Node {
+    const toml::table* table = nullptr;
+    std::string prefix;  ///< dotted path with a trailing dot, or empty
+    std::shared_ptr<const std::string> path;
+    std::set<std::string> known;
+};
+
+struct TomlDocument::State {
+    toml::table root;
+    std::shared_ptr<const std::string> path;
+};
+
+namespace {
+
+std::string place(const std::string& path, const toml::source_region& region) {
+    if (region.path && *region.path != path) return *region.path;  // from the command line
+    return region.begin.line > 0 ? fmt::format("{}:{}", path, region.begin.line) : path;
+}
+
+void merge(toml::table& target, const toml::table& source) {
+    for (const auto& [key, value] : source) {
+        toml::node* existing = target.get(key.str());
+        if (existing && existing->is_table() && value.is_table()) {
+            merge(*existing->as_table(), *value.as_table());
+        } else {
+            target.insert_or_assign(key.str(), value);
+        }
+    }
+}
+
+toml::table parse(const std::string& text, const std::string& path) {
+    try {
+        return toml::parse(text, path);
+    } catch (const toml::parse_error& error) {
+        throw InputError(fmt::format("{}: {}", place(path, error.source()), error.description()));
+    }
+}
+
+}  // namespace
+
+// --- tables ---------------------------------------------------------------------------------------------------------
+
+void TomlTable::fail(const std::string& key, const std::string& message) const {
+    const toml::node* entry = node_->table->get(key);
+    const toml::source_region& region = entry ? entry->source() : node_->table->source();
+    throw InputError(fmt::format("{}: key '{}{}': {}", place(*node_->path, region), node_->prefix, key, message));
+}
+
+bool TomlTable::has(const std::string& key) const {
+    node_->known.insert(key);
+    return node_->table->contains(key);
+}
+
+std::optional<double> TomlTable::optional_number(const std::string& key) const {
+    if (!has(key)) return std::nullopt;
+    const std::optional<double> value = node_->table->get(key)->value<double>();
+    if (!value || !std::isfinite(*value)) fail(key, "expected a finite number");
+    return value;
+}
+
+double TomlTable::number(const std::string& key) const {
+    const std::optional<double> value = optional_number(key);
+    if (!value) fail(key, "missing, expected a number");
+    return *value;
+}
+
+double TomlTable::number_or(const std::string& key, double fallback) const {
+    return optional_number(key).value_or(fallback);
+}
+
+double TomlTable::positive(const std::string& key) const {
+    const double value = number(key);
+    if (!(value > 0)) fail(key, fmt::format("is {}, expected a positive number", value));
+    return value;
+}
+
+bool TomlTable::boolean_or(const std::string& key, bool fallback) const {
+    if (!has(key)) return fallback;
+    const std::optional<bool> value = node_->table->get(key)->value_exact<bool>();
+    if (!value) fail(key, "expected true or false");
+    return *value;
+}
+
+std::string TomlTable::text(const std::string& key) const {
+    if (!has(key)) fail(key, "missing, expected a text");
+    const std::optional<std::string> value = node_->table->get(key)->value_exact<std::string>();
+    if (!value) fail(key, "expected a text in quotes");
+    return *value;
+}
+
+std::string TomlTable::text_or(const std::string& key, const std::string& fallback) const {
+    return has(key) ? text(key) : fallback;
+}
+
+std::string TomlTable::choice(const std::string& key, const std::vector<std::string>& names,
+                              const std::optional<std::string>& fallback) const {
+    if (fallback && !has(key)) return *fallback;
+    const std::string value = text(key);
+    if (std::find(names.begin(), names.end(), value) == names.end()) {
+        fail(key, fmt::format("is '{}', expected one of {}", value, fmt::join(names, ", ")));
+    }
+    return value;
+}
+
+std::vector<double> TomlTable::numbers(const std::string& key, std::optional<std::size_t> count) const {
+    const std::string expected =
+        count ? fmt::format("expected a list of {} numbers", *count) : std::string("expected a list of numbers");
+    if (!has(key)) fail(key, "missing, " + expected);
+    const toml::array* array = node_->table->get(key)->as_array();
+    if (!array || (count && array->size() != *count)) fail(key, expected);
+    std::vector<double> values;
+    for (const toml::node& entry : *array) {
+        const std::optional<double> value = entry.value<double>();
+        if (!value || !std::isfinite(*value)) fail(key, expected);
+        values.push_back(*value);
+    }
+    return values;
+}
+
+std::vector<std::vector<double>> TomlTable::number_rows(const std::string& key, std::size_t count) const {
+    const std::string expected = fmt::format("expected a list of lists of {} numbers", count);
+    if (!has(key)) fail(key, "missing, " + expected);
+    const toml::array* array = node_->table->get(key)->as_array();
+    if (!array) fail(key, expected);
+    std::vector<std::vector<double>> rows;
+    for (const toml::node& entry : *array) {
+        const toml::array* row = entry.as_array();
+        if (!row || row->size() != count) fail(key, expected);
+        rows.emplace_back();
+        for (const toml::node& cell : *row) {
+            const std::optional<double> value = cell.value<double>();
+            if (!value || !std::isfinite(*value)) fail(key, expected);
+            rows.back().push_back(*value);
+        }
+    }
+    return rows;
+}
+
+std::vector<std::string> TomlTable::texts(const std::string& key) const {
+    if (!has(key)) return {};
+    const toml::array* array = node_->table->get(key)->as_array();
+    if (!array) fail(key, "expected a list of texts");
+    std::vector<std::string> values;
+    for (const toml::node& entry : *array) {
+        const std::optional<std::string> value = entry.value_exact<std::string>();
+        if (!value) fail(key, "expected a list of texts");
+        values.push_back(*value);
+    }
+    return values;
+}
+
+std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const {
+    if (!has(key)) return std::nullopt;
+    const toml::table* child = node_->table->get(key)->as_table();
+    if (!child) fail(key, "expected a table");
+    return TomlTable(std::make_shared<Node>(Node{child, node_->prefix + key + ".", node_->path, {}}));
+}
+
+TomlTable TomlTable::table(const std::string& key) const {
+    std::optional<TomlTable> child = optional_table(key);
+    if (!child) fail(key, "missing, expected a table");
+    return *child;
+}
+
+std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
+    if (!has(key)) return {};
+    const toml::array* array = node_->table->get(key)->as_array();
+    if (!array) fail(key, "expected an array of tables");
+    std::vector<TomlTable> children;
+    for (const toml::node& entry : *array) {
+        if (!entry.is_table()) fail(key, "expected an array of tables");
+        const std::string prefix = fmt::format("{}{}[{}].", node_->prefix, key, children.size());
+        children.push_back(TomlTable(std::make_shared<Node>(Node{entry.as_table(), prefix, node_->path, {}})));
+    }
+    return children;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+    std::vector<std::pair<unsigned, std::string>> lines;
+    for (const auto& [key, value] : *node_->table) lines.emplace_back(value.source().begin.line, std::string(key.str()));
+    std::sort(lines.begin(), lines.end());
+    std::vector<std::string> names;
+    for (auto& [line, name] : lines) names.push_back(std::move(name));
+    return names;
+}
+
+void TomlTable::finish() const {
+    for (const std::string& key : keys()) {
+        if (node_->known.count(key)) continue;
+        fail(key, fmt::format("unknown, expected one of {}", fmt::join(node_->known, ", ")));
+    }
+}
+
+// --- document -------------------------------------------------------------------------------------------------------
+
+TomlDocument::TomlDocument(const std::string& text, const std::string& path)
+    : state_(std::make_unique<State>(State{parse(text, path), std::make_shared<const std::string>(path)})) {}
+TomlDocument::~TomlDocument() = default;
+TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
+
+void TomlDocument::overlay(const std::vector<std::string>& path_to_table) {
+    const toml::table* source = &state_->root;
+    for (const std::string& key : path_to_table) {
+        const toml::node* child = source->get(key);
+        if (!child || !child->is_table()) throw InputError(fmt::format("{}: no table '{}'", *state_->path, key));
+        source = child->as_table();
+    }
+    const toml::table copy = *source;
+    merge(state_->root, copy);
+}
+
+void TomlDocument::set(const std::string& assignment) {
+    const std::string where = fmt::format("option --set {}", assignment);
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos || equals == 0) throw InputError(where + ": expected KEY=VALUE");
+    toml::table parsed;
+    try {
+        parsed = toml::parse(assignment, where);
+    } catch (const toml::parse_error&) {
+        // a bare word is a text
+        const std::string value = assignment.substr(equals + 1);
+        if (value.find_first_of("\"'\\\n") != std::string::npos) throw InputError(where + ": the value is not valid TOML");
+        parsed = parse(fmt::format("{}=\"{}\"", assignment.substr(0, equals), value), where);
+    }
+    merge(state_->root, parsed);
+}
+
+TomlTable TomlDocument::root() const {
+    return TomlTable(std::make_shared<TomlTable::Node>(TomlTable::Node{&state_->root, "", state_->path, {}}));
+}
+
+std::string TomlDocument::resolved() const {
+    std::ostringstream out;
+    out << toml::toml_formatter(state_->root);
+    return out.str();
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Typed reading of TOML tables with errors that name file, line and key, and with no key left unread.
+// All of toml++ stays in toml_reader.cpp.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wetdeck {
+
+class TomlDocument;
+
+/// A table of a scene file. Each getter marks its key as known; `finish` rejects the keys nobody asked for.
+class TomlTable {
+  public:
+    bool has(const std::string& key) const;
+
+    double number(const std::string& key) const;
+    double number_or(const std::string& key, double fallback) const;
+    double positive(const std::string& key) const;
+    std::optional<double> optional_number(const std::string& key) const;
+    bool boolean_or(const std::string& key, bool fallback) const;
+    std::string text(const std::string& key) const;
+    std::string text_or(const std::string& key, const std::string& fallback) const;
+    /// One of the names given, else the error lists them.
+    std::string choice(const std::string& key, const std::vector<std::string>& names,
+                       const std::optional<std::string>& fallback = std::nullopt) const;
+    std::vector<double> numbers(const std::string& key, std::optional<std::size_t> count = std::nullopt) const;
+    std::vector<std::vector<double>> number_rows(const std::string& key, std::size_t count) const;
+    std::vector<std::string> texts(const std::string& key) const;
+
+    TomlTable table(const std::string& key) const;
+    std::optional<TomlTable> optional_table(const std::string& key) const;
+    std::vector<TomlTable> tables(const std::string& key) const;
+    /// Names of all entries, in the order of the file.
+    std::vector<std::string> keys() const;
+
+    /// Throws InputError if an entry of this table was never asked for.
+    void finish() const;
+    /// Throws InputError "file:line: key 'a.b': message" about an entry of this table.
+    [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+
+  private:
+    friend class TomlDocument;
+    struct Node;
+    explicit TomlTable(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+    std::shared_ptr<Node> node_;
+};
+
+class TomlDocument {
+  public:
+    /// Parses `text`; `path` is named in errors. Throws InputError.
+    TomlDocument(const std::string& text, const std::string& path);
+    ~TomlDocument();
+    TomlDocument(TomlDocument&&) noexcept;
+
+    /// Lays the table at the dotted key over the root, entry by entry (a variant over the scene).
+    void overlay(const std::vector<std::string>& path_to_table);
+    /// KEY=VALUE from the command line. The value is TOML; a bare word is taken as text.
+    void set(const std::string& assignment);
+    TomlTable root() const;
+    /// The document as it stands, sorted by key: what decides a run.
+    std::string resolved() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace wetdeck
