@@ -157,7 +157,7 @@ TEST_CASE("A pair of particles pushes each other with opposite forces", "[pairs]
             if ((on_i + on_j).norm() > 1e-13 * on_j.norm()) FAIL_CHECK("pair " << i << ", " << j);
         }
     }
-    CHECK(touching > 3000);
+    CHECK(touching > 2000);
 }
 
 TEST_CASE("Two particles alone get opposite momentum from the fast loop, whatever their phases",
