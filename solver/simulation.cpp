@@ -17,6 +17,10 @@ namespace {
 /// Water and air densities outside this share of their reference end a run: the state is no fluid any more.
 constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 5;
 
+bool needs_wall_means(const Model& model) {
+    return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;
+}
+
 class StageTimer {
   public:
     explicit StageTimer(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
@@ -49,7 +53,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()),
       loops_(pair_loops(model)),
       list_(domain, particle_spacing, kernel_.support_radius(), model.skin * kernel_.smoothing_length,
-            model.wall_pressure != WallPressure::one_sided) {
+            needs_wall_means(model)) {
     if (fluid_.size() == 0) throw InputError("a simulation needs fluid particles");
     if (!(particle_spacing > 0)) throw InputError("particle_spacing must be positive");
     const double h = kernel_.smoothing_length;
@@ -64,6 +68,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
     coefficients_.wall_volume = particle_spacing * particle_spacing;
     coefficients_.velocity_guard = 1e-12 * model_.water.eos.sound_speed;
     coefficients_.pressure_guard = 1e-12 * model_.water.eos.coefficient();
+    coefficients_.particle_spacing = particle_spacing;
     coefficients_.threads = threads_;
     coefficients_.wall_pressure_mean = {model_.wall_pressure != WallPressure::one_sided,
                                         model_.wall_pressure == WallPressure::shepard};
@@ -77,7 +82,7 @@ PassInput Simulation::pass_input() {
     PassInput in = coefficients_;
     in.fluid = fluid_.state.data();
     in.wall = walls_.state.data();
-    in.wall_pressure = walls_.pressure.data();
+    in.wall_mean = walls_.mean.data();
     in.clusters = &list_.clusters();
     in.wall_clusters = &list_.wall_clusters();
     in.density_rate = fluid_.density_rate.data();
@@ -98,9 +103,9 @@ void Simulation::density_pass() {
 }
 
 void Simulation::wall_pass() {
-    if (model_.wall_pressure == WallPressure::one_sided) return;
+    if (!needs_wall_means(model_)) return;
     const StageTimer timer(stages_.walls);
-    loops_.wall_pressures(pass_input());
+    loops_.wall_means(pass_input());
 }
 
 void Simulation::momentum_pass() {
@@ -125,8 +130,8 @@ void Simulation::evaluate() {
         double& fastest = fastest_[static_cast<std::size_t>(fluid_.phase(i))];
         fastest = std::max(fastest, speed);
     }
-    density_pass();
     wall_pass();
+    density_pass();
     momentum_pass();
     time_step_ = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
                                   fluid_.water < fluid_.size());
@@ -215,7 +220,7 @@ std::optional<Instability> Simulation::kick(double dt) {
 
 double Simulation::bytes_per_particle() const {
     const std::size_t own = sizeof(FluidState) + 4 * sizeof(double) + sizeof(std::uint32_t);
-    const std::size_t wall = sizeof(WallState) + sizeof(double) + sizeof(std::uint32_t);
+    const std::size_t wall = sizeof(WallState) + sizeof(WallMean) + sizeof(std::uint32_t);
     const auto count = static_cast<double>(fluid_.size());
     return static_cast<double>(own) + static_cast<double>(walls_.size() * wall + list_.bytes()) / count;
 }
@@ -226,6 +231,7 @@ std::optional<Instability> Simulation::step(double longest) {
     time_step_ = stable;
     const double dt = std::min(longest, stable.size);
     if (!kick_and_drift(dt)) build_list();
+    if (model_.wall_velocity == WallVelocity::mirrored) wall_pass();
     density_pass();
     update_density(dt);
     drift(dt);

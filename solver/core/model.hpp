@@ -35,6 +35,7 @@ struct Model {
     bool dissipation_switch = false;      ///< Yang et al. (2020), Eqs. (14)-(15)
     WallSlip wall_slip = WallSlip::free;
     WallPressure wall_pressure = WallPressure::shepard_water;
+    WallVelocity wall_velocity = WallVelocity::mirrored;
     double wall_dissipation = 3;          ///< limiter slope of the wall-normal dissipation, 0 for none
     bool tension = true;                  ///< false: density is kept at or above the reference (water without air)
 

@@ -30,7 +30,7 @@ void WallParticles::add(Vec2 position, Vec2 normal) {
     particle.nx = normal.x();
     particle.ny = normal.y();
     state.push_back(particle);
-    pressure.push_back(0);
+    mean.emplace_back();
     id.push_back(static_cast<std::uint32_t>(id.size()));
 }
 

@@ -54,10 +54,16 @@ struct alignas(64) WallState {
     double ax = 0, ay = 0;  ///< acceleration of the wall there [m/s^2]
 };
 
+/// Shepard means of the fluid around a boundary particle.
+struct WallMean {
+    double pressure = 0;    ///< [Pa], carried to the particle's own place
+    double vx = 0, vy = 0;  ///< [m/s]
+};
+
 /// Dummy particles of walls and bodies. All have the volume particle_spacing^2.
 struct WallParticles {
     std::vector<WallState> state;
-    std::vector<double> pressure;  ///< [Pa] Shepard pressure, where the model uses it
+    std::vector<WallMean> mean;  ///< where the model uses it
     std::vector<std::uint32_t> id;
 
     std::size_t size() const { return state.size(); }

@@ -74,7 +74,7 @@ void NeighbourList::place(WallParticles& walls) {
     WallParticles sorted = walls;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         sorted.state[i] = walls.state[order_[i]];
-        sorted.pressure[i] = walls.pressure[order_[i]];
+        sorted.mean[i] = walls.mean[order_[i]];
         sorted.id[i] = walls.id[order_[i]];
     }
     walls = std::move(sorted);

@@ -54,8 +54,9 @@ struct PassInput {
     double wall_volume = 0;
     const FluidState* fluid = nullptr;
     const WallState* wall = nullptr;
-    double* wall_pressure = nullptr;
+    WallMean* wall_mean = nullptr;
     std::array<bool, phase_count> wall_pressure_mean{};  ///< which phases see the Shepard pressure of walls
+    double particle_spacing = 0;
     const std::vector<Cluster>* clusters = nullptr;
     const std::vector<Cluster>* wall_clusters = nullptr;
     std::array<std::array<PairCoefficients, phase_count>, phase_count> pair;
@@ -73,7 +74,7 @@ using Pass = void (*)(const PassInput&);
 /// The passes of one model compiled for one instruction set: ingredients are chosen here, outside the loops.
 struct PairLoops {
     const char* instruction_set = "";
-    Pass wall_pressures = nullptr;  ///< Eq. (19); writes wall_pressure
+    Pass wall_means = nullptr;  ///< Eq. (19); writes wall_mean
     Pass density_rates = nullptr;
     Pass accelerations = nullptr;
     /// Sets density from its rate, then volume and pressure, for particles [first, last).

@@ -80,22 +80,35 @@ WETDECK_INLINE Pack density_sum(const PassInput& in, const Lanes& i, const std::
     return sum;
 }
 
-/// Free slip and no slip alike: the wall mirrors the normal velocity about its own and has no pressure jump.
-WETDECK_INLINE Pack wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                     std::uint32_t count) {
+/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump. Where it is
+/// mirrored it moves along its face with the water around it.
+template <bool mirrored>
+Pack wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours, std::uint32_t count) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
-    Pack sum = 0.0;
+    Pack sum = 0.0, stretching = 0.0;
+    Pack nearest = 1 / inverse_h;  // height above the first layer of dummy particles, half a spacing behind the face
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
         const Separation s = separation(i, w.x, w.y);
         const Pack closing = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
         const Pack height = s.x * w.nx + s.y * w.ny;
-        sum += WendlandC2::cubed_reach(s.distance, inverse_h) * closing * height;
+        const Pack weight = WendlandC2::cubed_reach(s.distance, inverse_h);
+        sum += weight * closing * height;
+        if constexpr (mirrored) {
+            const WallMean& mean = in.wall_mean[neighbours[n]];
+            const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
+            stretching += weight * slip * (s.y * w.nx - s.x * w.ny);
+            nearest = minimum(nearest, height);
+        }
+    }
+    if constexpr (mirrored) {
+        const Pack distance = nearest * (1 / in.particle_spacing) - 0.5;
+        sum = sum - 0.5 * stretching_share(distance) * stretching;
     }
     return in.wall_volume * sum;
 }
 
-template <bool harmonic, bool hydrostatic>
+template <bool harmonic, bool hydrostatic, bool mirrored>
 void density_rates(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.clusters->size());
 #pragma omp parallel for schedule(static) num_threads(in.threads)
@@ -110,14 +123,16 @@ void density_rates(const PassInput& in) {
             sum += density_sum<harmonic, hydrostatic>(in, i, neighbours, count, coefficients[phase]);
             neighbours += count;
         }
-        sum += wall_density_sum(in, i, neighbours, cluster.wall_neighbours);
+        const bool along = mirrored && cluster.phase == Phase::water;
+        const auto wall_sum = along ? wall_density_sum<true> : wall_density_sum<false>;
+        sum += wall_sum(in, i, neighbours, cluster.wall_neighbours);
         store(2 * in.kernel.slope_factor() * i.density * sum, in.density_rate, cluster);
     }
 }
 
 // --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . r_wf ] W_wf / SUM_f W_wf, Eq. (19) -----------------------------------
 
-void wall_pressures(const PassInput& in) {
+void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
     const double inverse_h = 1 / in.kernel.smoothing_length;
 #pragma omp parallel for schedule(static) num_threads(in.threads)
@@ -132,7 +147,7 @@ void wall_pressures(const PassInput& in) {
             drive_x.lanes[lane] = particle.ax - in.gravity.x();
             drive_y.lanes[lane] = particle.ay - in.gravity.y();
         }
-        Pack pressure_sum = 0.0, weight_sum = 0.0;
+        Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0;
         const std::uint32_t count = cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
         for (std::uint32_t k = 0; k < count; ++k) {
             const FluidState& f = in.fluid[cluster.neighbours[k]];
@@ -141,9 +156,14 @@ void wall_pressures(const PassInput& in) {
             const Pack weight = t * t * t * t * (2.0 * s.distance * inverse_h + 1.0);
             pressure_sum += weight * (f.pressure + f.density * (drive_x * s.x + drive_y * s.y));
             weight_sum += weight;
+            vx_sum += weight * f.vx;
+            vy_sum += weight * f.vy;
         }
-        const Pack mean = pressure_sum / maximum(weight_sum, 1e-300);
-        store(mean, in.wall_pressure, cluster);
+        const Pack inverse = 1.0 / maximum(weight_sum, 1e-300);
+        const Pack pressure = pressure_sum * inverse, vx = vx_sum * inverse, vy = vy_sum * inverse;
+        for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
+            in.wall_mean[cluster.first + lane] = {pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane]};
+        }
     }
 }
 
@@ -192,7 +212,7 @@ void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t*
         const Separation s = separation(i, w.x, w.y);
         Pack p_right;
         if constexpr (shepard) {
-            p_right = in.wall_pressure[neighbours[n]];
+            p_right = in.wall_mean[neighbours[n]].pressure;
         } else {
             p_right = one_sided_pressure(i.pressure, i.density, s.x, s.y, w.ax - in.gravity.x(), w.ay - in.gravity.y());
         }
@@ -312,10 +332,13 @@ auto with_flags(F f, bool flag, Rest... rest) {
 
 PairLoops choose_pair_loops(const Model& model) {
     PairLoops loops;
-    loops.wall_pressures = wall_pressures;
+    loops.wall_means = wall_means;
     loops.density_rates = with_flags(
-        [](auto harmonic, auto hydrostatic) -> Pass { return density_rates<harmonic, hydrostatic>; },
-        model.velocity_mean == Mean::harmonic, model.hydrostatic_correction);
+        [](auto harmonic, auto hydrostatic, auto mirrored) -> Pass {
+            return density_rates<harmonic, hydrostatic, mirrored>;
+        },
+        model.velocity_mean == Mean::harmonic, model.hydrostatic_correction,
+        model.wall_velocity == WallVelocity::mirrored);
     loops.accelerations = with_flags(
         [](auto harmonic, auto dissipative, auto viscous, auto switched, auto no_slip) -> Pass {
             return accelerations<harmonic, dissipative, viscous, switched, no_slip>;

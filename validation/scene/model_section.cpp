@@ -42,6 +42,7 @@ constexpr Name<Viscosity> viscosities[] = {{"none", Viscosity::none},
 constexpr Name<WallPressure> wall_pressures[] = {{"one-sided", WallPressure::one_sided},
                                                  {"shepard", WallPressure::shepard},
                                                  {"shepard-water", WallPressure::shepard_water}};
+constexpr Name<WallVelocity> wall_velocities[] = {{"normal", WallVelocity::normal}, {"mirrored", WallVelocity::mirrored}};
 constexpr Name<WallSlip> slips[] = {{"free", WallSlip::free}, {"no", WallSlip::no}};
 
 Material read_material(const TomlTable& table) {
@@ -101,6 +102,7 @@ void read_model(const TomlTable& root, Scene& scene) {
     m.viscosity = named(model, "viscosity", m.viscosity, viscosities);
     m.dissipation_switch = model.boolean_or("dissipation_switch", m.dissipation_switch);
     m.wall_pressure = named(model, "wall_pressure", m.wall_pressure, wall_pressures);
+    m.wall_velocity = named(model, "wall_velocity", m.wall_velocity, wall_velocities);
     m.wall_dissipation = share(model, "wall_dissipation", m.wall_dissipation);
     m.wall_slip = named(model, "wall_slip", m.wall_slip, slips);
     m.tension = model.boolean_or("tension", m.tension);
