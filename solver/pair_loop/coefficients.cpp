@@ -39,7 +39,9 @@ PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, 
     // The paper's harmonic mean of rho c gives (Z_l + Z_r) / (4 Z_l Z_r); with impedance weights 1 / (Z_l + Z_r) is exact.
     c.mobility = model.pressure_diffusion *
                  (model.velocity_mean == Mean::harmonic ? 0.5 / impedance : 1 / (l.impedance() + r.impedance()));
-    c.hydrostatic_density = harmonic_mean(l.eos.reference_density, r.eos.reference_density);
+    // Half the way from water to air is through either: the surface of a still column then leaks half as fast as with a
+    // harmonic mean.
+    c.hydrostatic_density = 0.5 * (l.eos.reference_density + r.eos.reference_density);
     const MeanWeights p = pressure_weights(model.pressure_mean, l, r);
     c.pressure_weight_left = p.left;
     c.pressure_weight_right = p.right;
@@ -57,7 +59,7 @@ PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, 
         c.viscosity = viscosity_lambda(model.viscosity) * harmonic_mean(l.viscosity, r.viscosity) / smoothing_length;
     }
     c.lowest_viscous_jump = lowest_viscous_jump(model.viscosity);
-    c.half_density = 0.5 * c.hydrostatic_density;
+    c.half_density = 0.5 * harmonic_mean(l.eos.reference_density, r.eos.reference_density);
     return c;
 }
 
