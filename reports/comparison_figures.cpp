@@ -14,7 +14,8 @@
 namespace wetdeck::report {
 namespace {
 
-/// Comparisons that share axes: the same series under the same scales.
+/// Comparisons that share axes: the same series under the same scales. Where the scales are unknown the
+/// labels of the axes have to tell.
 using AxesKey = std::tuple<std::string, double, double, double, std::string, std::string>;
 
 constexpr double unknown_scale = 0;
@@ -22,7 +23,7 @@ constexpr double unknown_scale = 0;
 AxesKey axes_of(const AnalysisSpec& scene, const ComparisonResult& c) {
     for (const ComparisonSpec& spec : scene.comparisons) {
         if (spec.title == c.title && spec.quantity == c.quantity && spec.reference == c.reference) {
-            return {c.quantity, spec.x_scale, spec.y_scale, spec.y_offset, c.x_label, c.y_label};
+            return {c.quantity, spec.x_scale, spec.y_scale, spec.y_offset, "", ""};
         }
     }
     return {c.quantity, unknown_scale, unknown_scale, 0, c.x_label, c.y_label};
@@ -50,13 +51,13 @@ std::vector<AxesKey> keys_of(const AnalysisSpec& scene, const Runs& runs) {
     return keys;
 }
 
-/// The simulated curve that covers most.
+/// The simulated curve that covers most; none where a run ended before it could draw a line.
 const Curve* longest(const Group& group) {
     const Curve* out = nullptr;
     for (const ComparisonResult* c : group) {
         if (out == nullptr || c->simulated.x.size() > out->x.size()) out = &c->simulated;
     }
-    return out != nullptr && !out->x.empty() ? out : nullptr;
+    return out != nullptr && out->x.size() > 1 ? out : nullptr;
 }
 
 /// Measurements differ by their markers, other simulations by their greys: `place` counts within a kind.
@@ -69,19 +70,19 @@ PlotSeries reference_series(const ComparisonResult& c, std::size_t place) {
     s.point_size = 5;
     if (c.kind == "experiment") {
         s.style = Style::points;
-        s.label = c.reference + " (experiment)";
+        s.label = reference_name(c) + " (experiment)";
     } else if (c.kind == "analytic") {
         s.style = Style::dashed;
-        s.label = c.reference + " (analytic)";
+        s.label = reference_name(c) + " (analytic)";
     } else if (c.kind == "peer-simulation") {
         s.colour = greys[place % greys.size()];
         s.width = 1.1;
-        s.label = c.reference + " (peer simulation)";
+        s.label = reference_name(c) + " (peer simulation)";
     } else {
         s.style = Style::points;
         s.colour = "#8e44ad";
         s.filled = false;
-        s.label = c.reference + " (" + (c.kind.empty() ? "unknown kind" : c.kind) + ")";
+        s.label = reference_name(c) + " (" + (c.kind.empty() ? "unknown kind" : c.kind) + ")";
     }
     return s;
 }
@@ -109,7 +110,7 @@ std::vector<PlotSeries> with_references(const Group& group, std::vector<PlotSeri
             } else {
                 spread.style = Style::band;
                 spread.colour = "#6b7681";
-                spread.label = c->reference + ", one standard uncertainty";
+                spread.label = reference_name(*c) + ", one standard uncertainty";
                 behind.push_back(std::move(spread));
             }
         }
@@ -136,7 +137,9 @@ std::string unit_of_series(const Runs& runs, const std::string& name) {
 std::string error_text(const Group& group) {
     std::string out;
     for (const ComparisonResult* c : group) {
-        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", c->reference, number_with_unit(c->nrmse, "-"));
+        if (!c->available) continue;
+        out += fmt::format("{}{} {}", out.empty() ? "" : "; ", reference_name(*c),
+                           number_with_unit(c->nrmse, "-"));
     }
     return out;
 }
@@ -151,17 +154,23 @@ std::optional<Window> common_window(const Group& group) {
     return same ? first : std::nullopt;
 }
 
-Figure curve_figure(const AxesKey& key, const Runs& runs) {
-    const auto& [quantity, x_scale, y_scale, y_offset, x_label, y_label] = key;
+/// The labels of the first comparison speak for all: the scales are the same.
+Figure curve_figure(const AnalysisSpec& scene, const AxesKey& key, const Runs& runs) {
     Figure figure;
-    figure.x = scaled_axis(x_label, x_scale, "s");
-    figure.y = scaled_axis(y_label, y_scale, unit_of_series(runs, quantity));
+    for (const RunSummary* run : runs) {
+        const Group group = group_of(scene, *run, key);
+        if (group.empty()) continue;
+        figure.x = scaled_axis(group.front()->x_label, std::get<1>(key), "s");
+        figure.y =
+            scaled_axis(group.front()->y_label, std::get<2>(key), unit_of_series(runs, std::get<0>(key)));
+        break;
+    }
     return figure;
 }
 
 Figure comparison_figure(const AnalysisSpec& scene, const AxesKey& key, const Runs& runs,
                          std::size_t variant) {
-    Figure figure = curve_figure(key, runs);
+    Figure figure = curve_figure(scene, key, runs);
     const RunSummary& finest = *runs.back();
     const std::string& name = std::get<0>(key);
     figure.name = fmt::format("{}-{}-{}", scene.scene, finest.record.variant, name);
@@ -182,7 +191,7 @@ Figure comparison_figure(const AnalysisSpec& scene, const AxesKey& key, const Ru
         s.width = k + 1 == runs.size() ? 2.2 : 1.6;
         simulations.push_back(std::move(s));
     }
-    if (group.empty()) return figure;
+    if (simulations.empty()) return figure;
     figure.series = with_references(group, std::move(simulations));
     figure.shaded = common_window(group);
     figure.caption =
@@ -207,7 +216,7 @@ std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs)
     std::vector<Figure> figures;
     if (finest.size() < 2) return figures;
     for (const AxesKey& key : keys_of(scene, finest)) {
-        Figure figure = curve_figure(key, finest);
+        Figure figure = curve_figure(scene, key, finest);
         figure.name = fmt::format("{}-variants-{}", scene.scene, std::get<0>(key));
         figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, std::get<0>(key));
         Group references;  // the same for all variants

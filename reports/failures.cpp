@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What comes first: runs that died or are missing, values and curves outside tolerance.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "reports/html.hpp"
@@ -8,6 +10,12 @@
 namespace wetdeck::report {
 namespace {
 
+/// Scene, and below it variant and spacing: two short lines in place of a long one.
+std::string run_label(const RunSummary& run) {
+    return fmt::format("{}<br>{}, {}", escape(run.record.scene), escape(run.record.variant),
+                       escape(spacing_text(run.record.particle_spacing)));
+}
+
 /// Runs that died and runs that are not there.
 std::string dead_runs(const Summary& summary) {
     Table table({"run", "status", "reason"});
@@ -15,7 +23,7 @@ std::string dead_runs(const Summary& summary) {
         for (const RunSummary* run : runs_of(summary, scene)) {
             if (run->record.status == RunStatus::ok) continue;
             table.add(
-                {text(run_name(*run)), status_cell(run->record),
+                {markup(run_label(*run), "name"), status_cell(run->record),
                  text(run->record.stop_reason.empty() ? "no reason recorded" : run->record.stop_reason)});
         }
     }
@@ -26,29 +34,47 @@ std::string dead_runs(const Summary& summary) {
     return table.empty() ? "" : table.html();
 }
 
-void add_quantity_failure(Table& table, const RunSummary& run, const QuantityResult& q) {
+using Row = std::vector<Cell>;
+
+std::optional<Row> quantity_failure(const QuantityResult& q) {
     const bool not_reached = q.expected && !q.value;
-    if (q.within.value_or(true) && !not_reached) return;
+    if (q.within.value_or(true) && !not_reached) return std::nullopt;
     const std::string source = q.expected_source.empty() ? "" : ", " + q.expected_source;
-    table.add({text(run_name(run)), text(q.name),
-               text("expected " + number_with_unit(q.expected, q.unit) + source),
+    return Row{text(q.name), text("expected " + number_with_unit(q.expected, q.unit) + source),
                not_reached ? text("not computed: " + q.note) : value(q.value, q.unit),
-               text("± " + number_with_unit(q.tolerance, q.unit))});
+               markup(escape("± " + number_with_unit(q.tolerance, q.unit)), "number")};
 }
 
-void add_comparison_failure(Table& table, const RunSummary& run, const ComparisonResult& c) {
-    if (verdict_of(c).value_or(true)) return;
-    table.add({text(run_name(run)), text(c.title), text(c.reference + ": " + kind_name(c.kind)),
-               text(c.nrmse ? "nrmse " + number(*c.nrmse) : "not computed: " + c.note),
-               text(number(c.tolerance))});
+std::optional<Row> comparison_failure(const ComparisonResult& c) {
+    if (verdict_of(c).value_or(true)) return std::nullopt;
+    return Row{text(c.title), text(fmt::format("{}, {}", c.reference, c.kind)),
+               c.nrmse ? markup(fmt::format("nrmse {}", number(*c.nrmse)), "number")
+                       : text(fmt::format("not computed: {}", c.note)),
+               value(c.tolerance)};
 }
 
-/// Values and curves of these runs that lie outside their tolerance or could not be computed.
+std::vector<Row> failures_of(const RunSummary& run) {
+    std::vector<Row> rows;
+    for (const QuantityResult& q : run.quantities) {
+        if (auto row = quantity_failure(q)) rows.push_back(std::move(*row));
+    }
+    for (const ComparisonResult& c : run.comparisons) {
+        if (auto row = comparison_failure(c)) rows.push_back(std::move(*row));
+    }
+    return rows;
+}
+
+/// Values and curves of these runs that lie outside their tolerance or could not be computed. Runs that died
+/// are in a table of their own: that their values are missing says nothing more.
 std::string outside_table(const Runs& runs) {
     Table table({"run", "what", "against", "value", "tolerance"});
     for (const RunSummary* run : runs) {
-        for (const QuantityResult& q : run->quantities) add_quantity_failure(table, *run, q);
-        for (const ComparisonResult& c : run->comparisons) add_comparison_failure(table, *run, c);
+        if (run->record.status != RunStatus::ok) continue;
+        std::vector<Row> rows = failures_of(*run);
+        for (Row& row : rows) {
+            if (&row == &rows.front()) row.insert(row.begin(), markup(run_label(*run), "name", rows.size()));
+            table.add(row);
+        }
     }
     return table.empty() ? "" : table.html();
 }
@@ -81,6 +107,14 @@ void add_failures(Page& page, const Summary& summary) {
     if (!dead.empty()) page.add("<h4>Runs that did not reach their end, and missing runs</h4>\n" + dead);
     if (!finest.empty()) page.add("<h4>Outside tolerance at the finest spacing of a variant</h4>\n" + finest);
     if (!coarser.empty()) page.add(details("Outside tolerance at coarser spacings", coarser));
+    const auto died = std::count_if(summary.runs.begin(), summary.runs.end(),
+                                    [](const RunSummary& run) { return run.record.status != RunStatus::ok; });
+    if (died > 0) {
+        page.add(paragraph(fmt::format("Values and curves of the runs that did not reach their end ({}) are "
+                                       "not listed again as outside tolerance.",
+                                       died),
+                           "soft"));
+    }
     if (dead.empty() && finest.empty() && coarser.empty()) {
         page.add(paragraph("Every run reached its end and everything with a tolerance lies within it."));
     }

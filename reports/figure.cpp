@@ -55,31 +55,6 @@ std::string axis_title(const Axis& axis) {
     return axis.label + " [" + axis.unit + "]";
 }
 
-std::vector<std::size_t> drawn_samples(const Figure& figure, const PlotSeries& series) {
-    const auto drawable = [](double value, const Axis& axis) {
-        return std::isfinite(value) && (!axis.logarithmic || value > 0);
-    };
-    const Curve& curve = series.data;
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        if (drawable(curve.x[i], figure.x) && drawable(curve.y[i], figure.y)) all.push_back(i);
-    }
-    const bool markers = series.style == Style::points || series.style == Style::line_and_points;
-    const std::size_t stretches = markers ? 80 : 600;
-    if (all.size() <= 2 * stretches) return all;
-
-    std::vector<std::size_t> kept;
-    const auto lower = [&](std::size_t a, std::size_t b) { return curve.y[a] < curve.y[b]; };
-    for (std::size_t s = 0; s < stretches; ++s) {
-        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(s * all.size() / stretches);
-        const auto end = all.begin() + static_cast<std::ptrdiff_t>((s + 1) * all.size() / stretches);
-        const auto [low, high] = std::minmax_element(begin, end, lower);
-        kept.push_back(*std::min(low, high));
-        if (low != high) kept.push_back(*std::max(low, high));
-    }
-    return kept;
-}
-
 std::string figure_csv(const Figure& figure) {
     const bool edges = std::any_of(figure.series.begin(), figure.series.end(),
                                    [](const PlotSeries& s) { return !s.low.empty(); });

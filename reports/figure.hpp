@@ -51,9 +51,15 @@ struct Figure {
 /// "label [unit]"; a label with brackets of its own stays as it is.
 std::string axis_title(const Axis& axis);
 
-/// Indices of the samples that are drawn: the lowest and highest of equal stretches, so that no peak is lost.
-/// Samples that are not finite, or not positive on a logarithmic axis, are left out.
-std::vector<std::size_t> drawn_samples(const Figure& figure, const PlotSeries& series);
+/// Pixels across the axes of the interactive and of the static drawing: finer detail is not drawn.
+inline constexpr std::size_t interactive_columns = 800;
+inline constexpr std::size_t static_columns = 300;
+
+/// Indices of the samples that are drawn: the lowest and highest of equal stretches, one per pixel column (of
+/// markers, one per ten columns), so that no peak is lost; of a line only its corners. Samples that are not
+/// finite, or not positive on a logarithmic axis, are left out.
+std::vector<std::size_t> drawn_samples(const Figure& figure, const PlotSeries& series,
+                                       std::size_t columns = interactive_columns);
 
 /// Every sample: one row each, the header with units.
 std::string figure_csv(const Figure& figure);
@@ -67,6 +73,9 @@ bool gnuplot_found();
 /// Draws `figure` to an SVG file, which appears whole or not at all, and returns its text. Throws
 /// EnvironmentError with gnuplot's own words if it fails.
 std::string write_svg(const Figure& figure, const std::filesystem::path& path);
+
+/// The same drawing in fewer bytes: without empty groups, coordinates to a tenth of a pixel, texts untouched.
+std::string smaller_svg(const std::string& svg);
 
 /// {"data": [...], "layout": {...}} for Plotly.newPlot.
 nlohmann::json plotly_figure(const Figure& figure);

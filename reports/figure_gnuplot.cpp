@@ -65,9 +65,9 @@ std::string axis_commands(char name, const Axis& axis, const Window& range) {
 
 std::string data_block(const Figure& figure, const PlotSeries& s, std::size_t index) {
     std::string out = fmt::format("$series{} << END_OF_DATA\n", index);
-    for (const std::size_t i : drawn_samples(figure, s)) {
-        out += fmt::format("{:.7g} {:.7g}", s.data.x[i], s.data.y[i]);
-        if (!s.low.empty()) out += fmt::format(" {:.7g} {:.7g}", s.low[i], s.high[i]);
+    for (const std::size_t i : drawn_samples(figure, s, static_columns)) {
+        out += fmt::format("{:.5g} {:.5g}", s.data.x[i], s.data.y[i]);
+        if (!s.low.empty()) out += fmt::format(" {:.5g} {:.5g}", s.low[i], s.high[i]);
         out += "\n";
     }
     return out + "END_OF_DATA\n";
@@ -121,7 +121,7 @@ std::string point_labels(const Figure& figure) {
     std::string out;
     for (const PlotSeries& s : figure.series) {
         if (s.point_labels.empty()) continue;
-        for (const std::size_t i : drawn_samples(figure, s)) {
+        for (const std::size_t i : drawn_samples(figure, s, static_columns)) {
             out += fmt::format(
                 "set label {} at {:.7g},{:.7g} offset 0.6,0.6 noenhanced font ',10' tc rgb '{}'\n",
                 quoted(s.point_labels[i]), s.data.x[i], s.data.y[i], s.colour);
@@ -199,7 +199,7 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
     out += point_labels(figure);
     std::string clauses;
     for (std::size_t k = 0; k < figure.series.size(); ++k) {
-        if (drawn_samples(figure, figure.series[k]).empty()) continue;
+        if (drawn_samples(figure, figure.series[k], static_columns).empty()) continue;
         out += data_block(figure, figure.series[k], k);
         for (const std::string& clause : plot_clauses(figure.series[k], k)) {
             clauses += (clauses.empty() ? "" : ", \\\n     ") + clause;
@@ -227,7 +227,7 @@ std::string write_svg(const Figure& figure, const std::filesystem::path& path) {
                         WIFEXITED(outcome.status) ? WEXITSTATUS(outcome.status) : outcome.status,
                         last_line(outcome.words)));
     }
-    std::string drawn = read_file(drawing);
+    std::string drawn = smaller_svg(read_file(drawing));
     std::filesystem::remove(drawing, ignored);
     // The drawing is seen on machines that lack the font.
     static const std::string family = "font-family=\"DejaVu Sans";

@@ -14,10 +14,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Six significant digits keep the page small and are more than a screen shows.
+/// Five significant digits keep the page small and are more than a screen shows.
 double rounded(double value) {
     if (value == 0 || !std::isfinite(value)) return 0;
-    const double scale = std::pow(10.0, 5 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    const double scale = std::pow(10.0, 4 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
     return std::isfinite(scale) ? std::round(value * scale) / scale : value;
 }
 
@@ -25,6 +25,20 @@ Json picked(const std::vector<double>& values, const std::vector<std::size_t>& i
     Json out = Json::array();
     for (const std::size_t i : indices) out.push_back(rounded(values[i]));
     return out;
+}
+
+/// 1, 2, 5 of each decade in full: plotly itself writes the 2 of 0.2 without its decade.
+void set_ticks(Json& axis, const Window& range) {
+    axis["tickvals"] = axis["ticktext"] = Json::array();
+    for (int decade = static_cast<int>(std::floor(std::log10(range.begin)));
+         decade <= static_cast<int>(std::ceil(std::log10(range.end))); ++decade) {
+        for (const int digit : {1, 2, 5}) {
+            const double value = rounded(digit * std::pow(10.0, decade));
+            if (value < range.begin || value > range.end) continue;
+            axis["tickvals"].push_back(value);
+            axis["ticktext"].push_back(number(value));
+        }
+    }
 }
 
 Json axis_layout(const Axis& axis, const Window& range) {
@@ -38,8 +52,11 @@ Json axis_layout(const Axis& axis, const Window& range) {
     if (axis.logarithmic) {
         out["type"] = "log";
         out["exponentformat"] = "power";
-        out["dtick"] =
-            range.end / range.begin < 300 ? Json("D2") : Json(1);  // 1, 2, 5 of each decade, or decades
+        if (range.end / range.begin < 300) {
+            set_ticks(out, range);
+        } else {
+            out["dtick"] = 1;
+        }
         out["range"] = {rounded(std::log10(range.begin)), rounded(std::log10(range.end))};
     } else {
         out["range"] = {rounded(range.begin), rounded(range.end)};

@@ -39,40 +39,22 @@ std::string properties(const std::vector<std::pair<std::string, std::string>>& e
     return out.empty() ? "" : paragraph(out, "soft");
 }
 
-/// Steps by what set their size, the most frequent first.
-std::string limiting_text(const RunCost& cost) {
-    std::vector<std::pair<std::string, std::uint64_t>> criteria(cost.limiting_criterion.begin(),
-                                                                cost.limiting_criterion.end());
-    std::stable_sort(criteria.begin(), criteria.end(),
-                     [](const auto& a, const auto& b) { return a.second > b.second; });
-    double total = 0;
-    for (const auto& entry : criteria) total += static_cast<double>(entry.second);
-    std::string out;
-    for (const auto& [name, steps] : criteria) {
-        if (steps == 0) continue;
-        out += fmt::format("{}{} {} %", out.empty() ? "" : ", ", name,
-                           number(100 * static_cast<double>(steps) / total));
-    }
-    return out.empty() ? "—" : out;
-}
-
 std::vector<Cell> cost_cells(const RunRecord& record) {
     const RunCost& cost = record.cost;
-    const auto rate = cost.wall_s > 0 ? std::optional(cost.particle_steps / cost.wall_s) : std::nullopt;
     return {value(record.particle_spacing, "-", 4),
             status_cell(record),
             whole(static_cast<double>(record.particles)),
             whole(static_cast<double>(cost.steps)),
             value(cost.wall_s),
             value(cost.core_s),
-            value(rate),
-            value(cost.peak_rss_mb),
-            markup(escape(limiting_text(cost)), "number")};
+            value(particle_rate(cost)),
+            value(cost.peak_rss_mb)};
 }
 
 std::string runs_table(const Summary& summary) {
     Table table({"scene", "variant", "dx [m]", "status", "particles", "steps", "wall [s]", "core-seconds",
-                 "particle-steps/s", "memory [MB]", "step limited by"});
+                 "particle-steps/s", "memory [MB]"},
+                "compact");
     for (const AnalysisSpec& scene : scenes_of(summary)) {
         const Runs runs = runs_of(summary, scene);
         for (const std::string& variant : variants_of(runs)) {
@@ -89,7 +71,7 @@ std::string runs_table(const Summary& summary) {
     }
     for (const std::string& missing : summary.missing) {
         const Cell badge = markup("<span class=\"badge bad\">missing</span>");
-        std::vector<Cell> cells(11, text("—"));
+        std::vector<Cell> cells(10, text("—"));
         cells[0] = text(missing);
         cells[3] = badge;
         table.add(cells);

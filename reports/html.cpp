@@ -106,6 +106,22 @@ std::string data_address(std::string_view media_type, std::string_view bytes) {
     return fmt::format("data:{};base64,{}", media_type, base64(bytes));
 }
 
+std::string svg_address(std::string_view svg) {
+    std::string out = "data:image/svg+xml,";
+    for (const char c : svg) {
+        const bool reserved = static_cast<unsigned char>(c) <= 0x20 || c == '\x7f' ||
+                              std::string_view("%#<>\"&").find(c) != std::string_view::npos;
+        if (c == ' ' || c == '\n') {
+            out += ' ';
+        } else if (!reserved) {
+            out += c;
+        } else {
+            out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+        }
+    }
+    return out;
+}
+
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) return "not finite";
     if (value == 0) return "0";
@@ -113,7 +129,7 @@ std::string number(double value, int digits) {
     const std::string scientific = fmt::format("{:.{}e}", value, digits - 1);
     const std::size_t e = scientific.find('e');
     const int exponent = std::stoi(scientific.substr(e + 1));
-    if (exponent < -3 || exponent >= 5) {
+    if (exponent < -4 || exponent >= 5) {
         return polished(scientific.substr(0, e)) + " × 10" + superscript(exponent);
     }
     const double rounded = std::stod(scientific);
@@ -174,7 +190,8 @@ Cell markup(std::string html, std::string css_class, std::size_t rows) {
     return {std::move(html), std::move(css_class), rows};
 }
 
-Table::Table(const std::vector<std::string>& headers) {
+Table::Table(const std::vector<std::string>& headers, std::string css_class)
+    : css_class_(std::move(css_class)) {
     for (const std::string& header : headers) head_ += "<th scope=\"col\">" + escape(header) + "</th>";
 }
 
@@ -190,7 +207,8 @@ void Table::add(const std::vector<Cell>& cells) {
 }
 
 std::string Table::html() const {
-    return "<div class=\"table\"><table><thead><tr>" + head_ + "</tr></thead>\n<tbody>\n" + body_ +
+    const std::string css = css_class_.empty() ? "" : " " + css_class_;
+    return "<div class=\"table" + css + "\"><table><thead><tr>" + head_ + "</tr></thead>\n<tbody>\n" + body_ +
            "</tbody></table></div>\n";
 }
 

@@ -26,8 +26,12 @@ std::string base64(std::string_view bytes);
 /// `data:` address of these bytes. A picture loaded through it cannot run scripts, whatever it holds.
 std::string data_address(std::string_view media_type, std::string_view bytes);
 
-/// At most `digits` significant digits: 0.0123, 12300, 1.23 × 10⁻⁵ (UTF-8); "not finite" for NaN and
-/// infinities.
+/// The same for an SVG text inside a double-quoted attribute, percent-encoded, line ends as spaces: a
+/// quarter smaller than base64.
+std::string svg_address(std::string_view svg);
+
+/// At most `digits` significant digits: 0.0123, 0.000123, 12300, 1.23 × 10⁻⁵ (UTF-8); "not finite" for NaN
+/// and infinities.
 std::string number(double value, int digits = 3);
 /// The same, with the unit unless it is "-"; an em dash for an empty value.
 std::string number_with_unit(std::optional<double> value, std::string_view unit, int digits = 3);
@@ -54,12 +58,14 @@ Cell markup(std::string html, std::string css_class = "", std::size_t rows = 1);
 /// A table that scrolls inside its own box on narrow screens.
 class Table {
   public:
-    explicit Table(const std::vector<std::string>& headers);
+    /// `css_class`: "compact" for many columns of numbers.
+    explicit Table(const std::vector<std::string>& headers, std::string css_class = "");
     void add(const std::vector<Cell>& cells);
     bool empty() const { return rows_ == 0; }
     std::string html() const;
 
   private:
+    std::string css_class_;
     std::string head_;
     std::string body_;
     int rows_ = 0;

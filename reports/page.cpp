@@ -45,7 +45,7 @@ std::string Page::static_drawing(const Figure& figure) {
         const std::string svg = write_svg(figure, path);
         files_.insert(path.filename().string());
         return fmt::format("<img class=\"static\" alt=\"{}\" src=\"{}\">\n", escape(figure.title),
-                           data_address("image/svg+xml", svg));
+                           svg_address(svg));
     } catch (const EnvironmentError& error) {
         return paragraph(std::string("Not drawn: ") + error.what(), "notice");
     }
@@ -87,10 +87,8 @@ std::string Page::html(std::string_view title, const std::string& header) const 
            "</style>\n</head>\n<body>\n";
     out += "<nav aria-label=\"Contents\">\n" + contents_ + "</nav>\n<main>\n";
     out += "<header><h1>" + escape(title) + "</h1>\n" + header + "</header>\n" + body_ + "</main>\n";
-    if (draws_interactive()) {
-        out += "<script>\n" + escape_script(plotly_) + "\n</script>\n";
-        out += "<script>\n" + std::string(page_script) + "</script>\n";
-    }
+    if (draws_interactive()) out += "<script>\n" + escape_script(plotly_) + "\n</script>\n";
+    out += "<script>\n" + std::string(page_script) + "</script>\n";
     return out + "</body>\n</html>\n";
 }
 

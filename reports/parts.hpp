@@ -27,6 +27,11 @@ std::string comparison_tables(const Runs& runs);
 std::string convergence_table(const Summary& summary, const AnalysisSpec& scene);
 std::string cost_table(const Runs& runs);
 std::string provenance_table(const Runs& runs);
+std::string references_table(const Runs& runs);
+/// Pressures of other codes, and of the finest run, against each measured pressure. Empty without either.
+std::string peer_table(const Runs& runs);
+/// The field pictures of a run: a grid, which the script of the page turns into a player.
+std::string picture_player(const std::vector<Picture>& pictures);
 
 /// Figures of a scene. `variant` is its place among the scene's variants and chooses the hue.
 std::vector<Figure> comparison_figures(const AnalysisSpec& scene, const Runs& runs_of_variant,
@@ -42,6 +47,14 @@ std::string conservation_table(const Runs& runs);
 /// Empty where there is no reference to compare with; false also where the run did not get far enough.
 std::optional<bool> verdict_of(const ComparisonResult& comparison);
 Cell status_cell(const RunRecord& record);
+
+/// The part of a comparison's title that names the reference, "Buchner (2002), first digitisation"; the stem
+/// of the file where that is too long for a legend.
+std::string reference_name(const ComparisonResult& comparison);
+/// Of the reference: relative, one standard deviation.
+std::string uncertainty_text(const ComparisonResult& comparison);
+/// Empty if no time was taken.
+std::optional<double> particle_rate(const RunCost& cost);
 
 /// "measurements", "other simulations ...", ... as written for readers.
 std::string kind_name(const std::string& kind);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@ struct Picture {
     double time = 0;  ///< [s]
     std::vector<unsigned char> png;
     std::vector<ColourBar> colour_bars;
+    std::optional<double> scaled_time;  ///< T, where the scene has one scale of time
 };
 
 /// What the report shows beside the analysis.

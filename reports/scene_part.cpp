@@ -8,36 +8,13 @@
 namespace wetdeck::report {
 namespace {
 
-std::string colour_bar_markup(const ColourBar& bar) {
-    std::string colours;
-    for (const std::string& colour : bar.colours) colours += "," + colour;
-    return fmt::format(
-        "<div class=\"colourbar\"><span>{}</span><i style=\"background:linear-gradient(to right{})\"></i>"
-        "<span>{}</span><span>{}</span></div>\n",
-        escape(number(bar.low)), escape(colours), escape(number_with_unit(bar.high, bar.unit)),
-        escape(bar.label));
-}
-
-std::string picture_markup(const Picture& picture) {
-    const std::string title = fmt::format("{}, t = {}", picture.title, number_with_unit(picture.time, "s"));
-    std::string bars;
-    for (const ColourBar& bar : picture.colour_bars) bars += colour_bar_markup(bar);
-    return fmt::format(
-        "<figure><figcaption>{0}</figcaption>\n<img class=\"field\" alt=\"{0}\" "
-        "src=\"data:image/png;base64,{1}\">\n{2}"
-        "</figure>\n",
-        escape(title), base64(picture.png), bars);
-}
-
 void add_pictures(Page& page, const Runs& runs, const ReportInputs& inputs) {
     bool first = true;
     for (const RunSummary* run : runs) {
         const auto pictures = inputs.pictures.find(run->directory);
         if (pictures == inputs.pictures.end() || pictures->second.empty()) continue;
-        std::string html = "<div class=\"figures\">\n";
-        for (const Picture& picture : pictures->second) html += picture_markup(picture);
         if (first) page.section(3, "Fields");
-        page.add(details(run_name(*run), html + "</div>\n", first));
+        page.add(details(run_name(*run), picture_player(pictures->second), first));
         first = false;
     }
 }
@@ -86,11 +63,13 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
         "simulated minus reference, in the units of the axis. Reference uncertainty: relative, one standard "
         "deviation; where it is unknown the difference cannot be called an error of the model.",
         "soft"));
+    page.add(peer_table(runs));
 }
 
 void add_provenance(Page& page, const Runs& runs) {
     page.section(3, "Provenance");
-    page.add(provenance_table(runs));
+    page.add(references_table(runs));
+    page.add("<h4>Runs</h4>\n" + provenance_table(runs));
     const RunRecord& record = finest_of_each(runs).front()->record;
     if (!record.parameters.empty()) {
         Table table({"key", "value (SI)"});

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <set>
 
 #include "reports/html.hpp"
@@ -13,35 +11,8 @@
 namespace wetdeck::report {
 namespace {
 
-constexpr std::array<const char*, 10> stage_colours{"#08519c", "#e6842a", "#2f8f4e", "#7b4fa6", "#c23b3b",
-                                                    "#4aa3a2", "#b8a12f", "#d06ba8", "#6b7681", "#9ecae1"};
-
-/// All names of stages, each with a colour that is the same for all runs.
-std::map<std::string, std::string> colours_of_stages(const Runs& runs) {
-    std::map<std::string, std::string> colours;
-    for (const RunSummary* run : runs) {
-        for (const auto& stage : run->record.cost.stage_seconds) colours[stage.first];
-    }
-    std::size_t k = 0;
-    for (auto& entry : colours) entry.second = stage_colours[k++ % stage_colours.size()];
-    return colours;
-}
-
-std::string stage_bar(const RunCost& cost, const std::map<std::string, std::string>& colours) {
-    double total = 0;
-    for (const auto& stage : cost.stage_seconds) total += stage.second;
-    if (total <= 0) return "—";
-    std::string out = "<div class=\"bar\">";
-    for (const auto& [name, seconds] : cost.stage_seconds) {
-        out += fmt::format("<i style=\"width:{:.2f}%;background:{}\" title=\"{} {}\"></i>",
-                           100 * seconds / total, colours.at(name), escape(name),
-                           number_with_unit(seconds, "s"));
-    }
-    return out + "</div>";
-}
-
 Cell quantity_cell(const QuantityResult& q) {
-    if (!q.value) return text(q.note.empty() ? "—" : "— " + q.note);
+    if (!q.value) return text(q.note.empty() ? "—" : fmt::format("— {}", q.note));
     const std::string content = escape(number_with_unit(q.value, q.unit));
     if (!q.within) return markup(content, "number");
     return *q.within ? markup(content + " ✓", "inside") : markup(content + " ✗", "outside");
@@ -73,7 +44,7 @@ std::string expectation(const QuantityResult& q) {
 std::string quantities_of_variant(const Runs& runs) {
     std::vector<std::string> headers{"quantity"};
     for (const RunSummary* run : runs) headers.push_back("dx " + spacing_text(run->record.particle_spacing));
-    headers.insert(headers.end(), {"expected", "finest spacing", "source of the expected value"});
+    headers.insert(headers.end(), {"expected", "finest spacing", "source"});
     Table table(headers);
     for (const std::string& name : quantity_names(runs)) {
         std::vector<Cell> row{markup(escape(name), "name")};
@@ -92,11 +63,6 @@ std::string quantities_of_variant(const Runs& runs) {
     return table.empty() ? paragraph("None.", "soft") : table.html();
 }
 
-std::string uncertainty_text(const ComparisonResult& c) {
-    if (c.reference_uncertainty) return number(100 * *c.reference_uncertainty) + " %";
-    return c.kind == "analytic" ? "none" : "unknown";
-}
-
 /// What the rows of one comparison share.
 Cell comparison_cell(const ComparisonResult& c, std::size_t rows) {
     return {fmt::format("<b>{}</b><br>{}<br><span class=\"soft\">reference uncertainty: {}</span>",
@@ -107,13 +73,12 @@ Cell comparison_cell(const ComparisonResult& c, std::size_t rows) {
 Cell comparison_verdict(const ComparisonResult& c) {
     Cell cell = verdict(verdict_of(c));
     if (c.available && !c.nrmse) cell = markup("<span class=\"badge warn\">not computed</span>");
-    if (!c.note.empty()) cell.html += " " + escape(c.note);
+    if (!c.note.empty()) cell.html += fmt::format(" {}", escape(c.note));
     return cell;
 }
 
 std::string comparisons_of_kind(const Runs& runs, const std::string& kind) {
     Table table({"comparison", "dx", "nrmse", "tolerance", "verdict", "peak", "time of peak"});
-    std::vector<std::string> citations;
     std::size_t most = 0;  // a run that died early may have fewer
     for (const RunSummary* run : runs) most = std::max(most, run->comparisons.size());
     for (std::size_t k = 0; k < most; ++k) {
@@ -131,15 +96,10 @@ std::string comparisons_of_kind(const Runs& runs, const std::string& kind) {
                                     value(c.time_error)};
             if (run == rows.front()) cells.insert(cells.begin(), comparison_cell(c, rows.size()));
             table.add(cells);
-            const std::string citation = c.reference + ": " + c.citation;
-            if (std::find(citations.begin(), citations.end(), citation) == citations.end())
-                citations.push_back(citation);
         }
     }
     if (table.empty()) return "";
-    std::string out = "<h4>" + escape("Against: " + kind_name(kind)) + "</h4>\n" + table.html();
-    for (const std::string& citation : citations) out += paragraph(citation, "soft");
-    return out;
+    return "<h4>" + escape("Against: " + kind_name(kind)) + "</h4>\n" + table.html();
 }
 
 std::string comparisons_of_variant(const Runs& runs) {
@@ -164,7 +124,7 @@ std::string joined(const std::vector<double>& values, int digits) {
 
 /// What the spacings say of the numerical uncertainty: the index, or the plain range where it has no meaning.
 std::string numerical_uncertainty(const ConvergenceRow& row) {
-    if (row.gci_fine) return "GCI " + number(*row.gci_fine);
+    if (row.gci_fine) return fmt::format("GCI {}", number(*row.gci_fine));
     if (row.value.size() < 2) return "—";
     const auto [low, high] = std::minmax_element(row.value.begin(), row.value.end());
     return fmt::format("range {} to {}", number(*low), number(*high));
@@ -177,7 +137,8 @@ std::string convergence_verdict(const ConvergenceRow& row) {
 
 std::string convergence_of_variant(const Summary& summary, const std::string& scene,
                                    const std::string& variant) {
-    Table table({"quantity", "dx [m]", "value", "order", "extrapolated", "uncertainty, finest", "verdict"});
+    Table table({"quantity", "dx [m]", "value", "order", "extrapolated", "uncertainty, finest", "verdict"},
+                "compact");
     for (const ConvergenceRow& row : summary.convergence) {
         if (row.scene != scene || row.variant != variant) continue;
         table.add({markup(escape(row.qoi), "name"), markup(joined(row.dx, 4), "number"),
@@ -207,6 +168,11 @@ Cell status_cell(const RunRecord& record) {
         fmt::format("<span class=\"badge {}\">{}</span>", ok ? "good" : "bad", to_string(record.status)));
 }
 
+std::string uncertainty_text(const ComparisonResult& c) {
+    if (c.reference_uncertainty) return fmt::format("{} %", number(100 * *c.reference_uncertainty));
+    return c.kind == "analytic" ? "none" : "unknown";
+}
+
 std::string kind_name(const std::string& kind) {
     if (kind == "experiment") return "measurements";
     if (kind == "peer-simulation") return "other simulations (peer simulation, no validation)";
@@ -218,8 +184,7 @@ std::string kind_name(const std::string& kind) {
 std::string deviations_table(const AnalysisSpec& scene) {
     Table table({"item", "in the source", "used here", "reason"});
     for (const Deviation& d : scene.deviations) {
-        table.add(
-            {markup(escape(d.item), "name"), text(d.source), text(d.used), markup(escape(d.reason), "wide")});
+        table.add({text(d.item), text(d.source), text(d.used), markup(escape(d.reason), "wide")});
     }
     return table.html();
 }
@@ -247,49 +212,6 @@ std::string convergence_table(const Summary& summary, const AnalysisSpec& scene)
                      "the spacings do not converge monotonically there is no index; the range of the values "
                      "stands for it.",
                      "soft");
-}
-
-std::string cost_table(const Runs& runs) {
-    const std::map<std::string, std::string> colours = colours_of_stages(runs);
-    std::vector<std::string> headers{"variant", "dx", "core-seconds", "wall by stage"};
-    for (const auto& stage : colours) headers.push_back(stage.first);
-    Table table(headers);
-    for (const RunSummary* run : runs) {
-        const RunCost& cost = run->record.cost;
-        std::vector<Cell> row{markup(escape(run->record.variant), "name"),
-                              value(run->record.particle_spacing, "m", 4), value(cost.core_s, "s"),
-                              markup(stage_bar(cost, colours), "wide")};
-        for (const auto& stage : colours) {
-            const auto seconds = cost.stage_seconds.find(stage.first);
-            row.push_back(seconds == cost.stage_seconds.end() ? text("—") : value(seconds->second, "s"));
-        }
-        table.add(row);
-    }
-    std::string key;
-    for (const auto& [name, colour] : colours) {
-        key += fmt::format("<span><i style=\"background:{}\"></i>{}</span>", colour, escape(name));
-    }
-    return table.html() + "<div class=\"key\">" + key + "</div>\n";
-}
-
-std::string provenance_table(const Runs& runs) {
-    std::map<std::string, std::map<std::string, std::vector<std::string>>> entries;  // key, value, runs
-    for (const RunSummary* run : runs) {
-        for (const auto& [key, content] : run->record.choices) {
-            entries[key][content].push_back(
-                fmt::format("{} {}", run->record.variant, spacing_text(run->record.particle_spacing)));
-        }
-    }
-    Table table({"entry", "value", "runs"});
-    for (const auto& [key, values] : entries) {
-        for (const auto& [content, names] : values) {
-            const bool all = names.size() == runs.size();
-            std::string list = all ? "all" : "";
-            for (std::size_t i = 0; !all && i < names.size(); ++i) list += (i == 0 ? "" : ", ") + names[i];
-            table.add({markup(escape(key), "name"), text(content), text(list)});
-        }
-    }
-    return table.empty() ? paragraph("Nothing recorded.", "soft") : table.html();
 }
 
 }  // namespace wetdeck::report

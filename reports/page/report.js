@@ -1,6 +1,44 @@
-// Replaces the static drawing of each figure by an interactive one when it comes near the screen.
+// Turns the field pictures of each run into a player, and the static drawing of each figure into an interactive
+// one when it comes near the screen. Without this script, and in print, all pictures and drawings are shown.
 (function () {
   'use strict';
+
+  function element(name, properties) {
+    return Object.assign(document.createElement(name), properties);
+  }
+
+  function play(player) {
+    const frames = Array.from(player.children);
+    if (frames.length < 2) return;
+    const previous = element('button', { type: 'button', textContent: '\u25c0 previous' });
+    const next = element('button', { type: 'button', textContent: 'next \u25b6' });
+    const slider = element('input', { type: 'range', min: 0, max: frames.length - 1, step: 1, value: 0 });
+    const place = element('output');
+    slider.setAttribute('aria-label', 'instant');
+    const controls = element('div', { className: 'controls' });
+    controls.append(previous, slider, next, place);
+    player.before(controls);
+    player.classList.add('playing');
+
+    function show(index) {
+      frames.forEach((frame, k) => frame.classList.toggle('current', k === index));
+      slider.value = index;
+      previous.disabled = index === 0;
+      next.disabled = index === frames.length - 1;
+      place.textContent = frames[index].dataset.instant + ' (' + (index + 1) + ' of ' + frames.length + ')';
+      slider.setAttribute('aria-valuetext', frames[index].dataset.instant);
+    }
+    previous.addEventListener('click', () => show(Number(slider.value) - 1));
+    next.addEventListener('click', () => show(Number(slider.value) + 1));
+    slider.addEventListener('input', () => show(Number(slider.value)));
+    show(0);
+  }
+  document.querySelectorAll('.player').forEach(play);
+
+  window.addEventListener('beforeprint', () => {
+    document.querySelectorAll('details').forEach((box) => { box.open = true; });
+  });
+
   if (!window.Plotly) return;
 
   const fonts = { family: 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif', size: 12.5, color: '#22303c' };
@@ -38,8 +76,4 @@
     }
   }, { rootMargin: '400px' });
   frames.forEach((frame) => observer.observe(frame));
-
-  window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details').forEach((box) => { box.open = true; });
-  });
 })();

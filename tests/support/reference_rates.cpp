@@ -42,7 +42,11 @@ struct Pair {
     /// Eq. (10), without the hydrostatic part of the jump where the model says so.
     double u_star() const {
         double jump = left.pressure - right.pressure;
-        if (model.hydrostatic_correction) jump -= mean_density() * model.gravity.dot(offset());
+        if (model.hydrostatic_correction) {
+            const double density =
+                0.5 * (left_material.eos.reference_density + right_material.eos.reference_density);
+            jump -= density * model.gravity.dot(offset());
+        }
         if (model.velocity_mean == Mean::harmonic) {
             const double guard = 1e-12 * model.water.eos.sound_speed;
             return guarded_harmonic_mean(u_left(), u_right(), guard) +
@@ -116,20 +120,75 @@ double kernel_slope(const WendlandC2& kernel, double distance) {
     return kernel.slope_over_distance(distance) * distance;
 }
 
-/// Eq. (19)
-double shepard_pressure(const WallState& wall, const FluidParticles& fluid, const Model& model,
-                        const WendlandC2& kernel) {
+Vec2 place(const WallState& wall) {
+    return {wall.x, wall.y};
+}
+Vec2 normal(const WallState& wall) {
+    return {wall.nx, wall.ny};
+}
+Vec2 tangent(const WallState& wall) {
+    return {-wall.ny, wall.nx};
+}
+
+/// Eq. (19): the mean of what each fluid particle near sees behind the face, Eq. (17), and of its velocity.
+WallMean shepard_mean(const WallState& wall, const FluidParticles& fluid, const Model& model,
+                      const WendlandC2& kernel) {
     const Vec2 drive = Vec2(wall.ax, wall.ay) - model.gravity;
-    double sum = 0, weights = 0;
+    double pressure = 0, weights = 0;
+    Vec2 velocity = Vec2::Zero();
     for (std::size_t f = 0; f < fluid.size(); ++f) {
-        if (!sees_mean_pressure(model, fluid.phase(f))) continue;
+        if (fluid.phase(f) == Phase::air && model.wall_pressure != WallPressure::shepard) continue;
         const FluidState& p = fluid.state[f];
-        const Vec2 offset = Vec2(wall.x, wall.y) - p.position();
+        const Vec2 offset = p.position() - place(wall);
         const double w = kernel.value(offset.norm());
-        sum += w * (p.pressure + p.density * drive.dot(offset));
+        pressure +=
+            w * one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(), drive.x(), drive.y());
+        velocity += w * p.velocity();
         weights += w;
     }
-    return weights > 0 ? sum / weights : 0;
+    if (weights == 0) return {};
+    return {pressure / weights, velocity.x() / weights, velocity.y() / weights};
+}
+
+/// One fluid particle's sums over the walls.
+struct WallSums {
+    double compression = 0;  ///< SUM V F (v - v_w) . e of the reversed velocity [1/s]
+    Vec2 push = Vec2::Zero();
+};
+
+WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticles& walls, const Rates& rates,
+                   const Model& model, double particle_spacing) {
+    const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};
+    const FluidState& p = fluid.state[i];
+    const Material& side = material(model, fluid.phase(i));
+    WallSums sums;
+    double stretching = 0, nearest = kernel.smoothing_length;
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+        const WallState& wall = walls.state[w];
+        const Vec2 offset = p.position() - place(wall), velocity = p.velocity() - Vec2(wall.vx, wall.vy);
+        if (offset.norm() >= kernel.support_radius()) continue;
+        const Vec2 e = -offset.normalized(), n = normal(wall), t = tangent(wall);
+        const double slope = particle_spacing * particle_spacing * kernel_slope(kernel, offset.norm());
+        sums.compression += slope * velocity.dot(n) * n.dot(e);
+        stretching += slope * (p.velocity() - Vec2(rates.wall[w].vx, rates.wall[w].vy)).dot(t) * t.dot(e);
+        nearest = std::min(nearest, offset.dot(n));
+
+        const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
+                                                    wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
+        const double behind = sees_mean_pressure(model, fluid.phase(i)) ? rates.wall[w].pressure : one_sided;
+        const DissipationLimiter limiter{side.impedance(), model.wall_dissipation / side.eos.sound_speed, 0};
+        double p_star = 0.5 * (p.pressure + behind) + riemann_dissipation(-velocity.dot(n), limiter);
+        const double jump = 2 * velocity.dot(e);
+        if (model.wall_slip == WallSlip::no && model.viscosity != Viscosity::none &&
+            (model.viscosity == Viscosity::symmetric || jump > 0)) {
+            p_star += viscosity_lambda(model.viscosity) * side.viscosity * jump / kernel.smoothing_length;
+        }
+        sums.push -= slope * p_star * e;
+    }
+    if (model.wall_velocity == WallVelocity::mirrored && fluid.phase(i) == Phase::water) {
+        sums.compression += 0.5 * stretching_share(nearest / particle_spacing - 0.5) * stretching;
+    }
+    return sums;
 }
 
 }  // namespace
@@ -137,48 +196,21 @@ double shepard_pressure(const WallState& wall, const FluidParticles& fluid, cons
 Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, const Model& model,
                       double particle_spacing) {
     const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};
-    const double wall_volume = particle_spacing * particle_spacing;
     Rates rates;
-    for (const WallState& wall : walls.state) {
-        rates.wall_pressure.push_back(shepard_pressure(wall, fluid, model, kernel));
-    }
+    for (const WallState& wall : walls.state) rates.wall.push_back(shepard_mean(wall, fluid, model, kernel));
     for (std::size_t i = 0; i < fluid.size(); ++i) {
-        const FluidState& p = fluid.state[i];
-        double compression = 0;
-        Vec2 push = Vec2::Zero();
+        WallSums sums = wall_sums(fluid, i, walls, rates, model, particle_spacing);
         for (std::size_t j = 0; j < fluid.size(); ++j) {
             if (j == i) continue;
             const Pair pair = pair_of(fluid, i, j, model);
             const double slope = fluid.state[j].volume * kernel_slope(kernel, pair.distance());
-            compression += slope * (pair.u_left() - pair.u_star());
-            push -= slope * pair.p_star(kernel.smoothing_length) * pair.e();
+            sums.compression += slope * (pair.u_left() - pair.u_star());
+            sums.push -= slope * pair.p_star(kernel.smoothing_length) * pair.e();
         }
-        for (std::size_t w = 0; w < walls.size(); ++w) {
-            const WallState& wall = walls.state[w];
-            const Vec2 offset = p.position() - Vec2(wall.x, wall.y), normal(wall.nx, wall.ny);
-            const Vec2 e = -offset.normalized(), velocity = p.velocity() - Vec2(wall.vx, wall.vy);
-            const Material& side = material(model, fluid.phase(i));
-            const double slope = wall_volume * kernel_slope(kernel, offset.norm());
-            compression += slope * velocity.dot(normal) * normal.dot(e);
-            const double behind =
-                sees_mean_pressure(model, fluid.phase(i))
-                    ? rates.wall_pressure[w]
-                    : one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
-                                         wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
-            const DissipationLimiter limiter{side.impedance(), model.wall_dissipation / side.eos.sound_speed,
-                                             0};
-            double p_star = 0.5 * (p.pressure + behind) + riemann_dissipation(-velocity.dot(normal), limiter);
-            const double jump = 2 * velocity.dot(e);
-            if (model.wall_slip == WallSlip::no && model.viscosity != Viscosity::none &&
-                (model.viscosity == Viscosity::symmetric || jump > 0)) {
-                p_star += viscosity_lambda(model.viscosity) * side.viscosity * jump / kernel.smoothing_length;
-            }
-            push -= slope * p_star * e;
-        }
-        const Vec2 acceleration = 2 / p.density * push + model.gravity;
-        rates.density.push_back(2 * p.density * compression);
-        rates.acceleration_x.push_back(acceleration.x());
-        rates.acceleration_y.push_back(acceleration.y());
+        const double density = fluid.state[i].density;
+        rates.density.push_back(2 * density * sums.compression);
+        rates.acceleration_x.push_back(2 / density * sums.push.x() + model.gravity.x());
+        rates.acceleration_y.push_back(2 / density * sums.push.y() + model.gravity.y());
     }
     return rates;
 }

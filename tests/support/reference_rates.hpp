@@ -13,7 +13,7 @@ namespace wetdeck::samples {
 struct Rates {
     std::vector<double> density;                         ///< [kg/(m^3 s)]
     std::vector<double> acceleration_x, acceleration_y;  ///< [m/s^2], gravity included
-    std::vector<double> wall_pressure;                   ///< [Pa], Eq. (19)
+    std::vector<WallMean> wall;                          ///< Eq. (19)
 };
 
 /// Pressure, volume, density and impact mark of each particle are taken as they are.

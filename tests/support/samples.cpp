@@ -64,6 +64,7 @@ Model two_phase_model() {
     model.dissipation_switch = false;
     model.wall_slip = WallSlip::free;
     model.wall_pressure = WallPressure::shepard_water;
+    model.wall_velocity = WallVelocity::mirrored;
     model.wall_dissipation = 3;
     model.tension = true;
     model.smoothing_ratio = 1.25;
@@ -84,6 +85,7 @@ Model paper_model() {
     model.air.viscosity = 1e-5;
     model.dissipation_switch = true;
     model.wall_pressure = WallPressure::shepard;
+    model.wall_velocity = WallVelocity::normal;
     model.wall_dissipation = 0;
     model.courant_number = 0.25;
     return model;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validation/execute/suite.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <omp.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <map>
 #include <set>
 
@@ -17,8 +19,6 @@
 #include "validation/execute/run.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/run_directory.hpp"
-
-extern char** environ;
 
 namespace wetdeck {
 namespace {
@@ -39,15 +39,22 @@ pid_t start(const SuiteRow& row, int threads) {
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", 0, 0);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, log.c_str(), 01 | 0100 | 01000, 0644);  // write, create, truncate
-    posix_spawn_file_actions_adddup2(&files, STDERR_FILENO, STDOUT_FILENO);
-    pid_t child = 0;
-    const int error = posix_spawn(&child, "/proc/self/exe", &files, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&files);
-    if (error != 0) throw environment_error(log, "start a run", error);
+    const pid_t parent = getpid();
+    const pid_t child = fork();
+    if (child < 0) throw environment_error(log, "start a run", errno);
+    if (child == 0) {
+        // a run must not outlive its suite: the next one would find the directory locked
+        prctl(PR_SET_PDEATHSIG, SIGTERM);
+        if (getppid() != parent) _exit(exit_environment);
+        const int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
+        const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+        if (in < 0 || out < 0) _exit(exit_environment);
+        dup2(in, STDIN_FILENO);
+        dup2(out, STDOUT_FILENO);
+        dup2(out, STDERR_FILENO);
+        execv("/proc/self/exe", argv.data());
+        _exit(exit_environment);
+    }
     return child;
 }
 

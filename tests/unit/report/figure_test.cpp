@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -73,6 +74,53 @@ TEST_CASE("Thinning for the drawing keeps a peak of one sample and the ends", "[
     CHECK(kept.back() >= 49900);
 }
 
+TEST_CASE("Of a straight line only the ends are drawn, of a corner the corner", "[report]") {
+    Figure figure;
+    PlotSeries s = ramp(1000);
+    for (std::size_t i = 500; i < 1000; ++i) s.data.y[i] = static_cast<double>(i - 500);
+    figure.series = {s};
+    const std::vector<std::size_t> kept = drawn_samples(figure, s);
+    CHECK(kept.size() <= 5);
+    CHECK(kept.front() == 0);
+    CHECK(kept.back() == 999);
+    CHECK(std::any_of(kept.begin(), kept.end(), [](std::size_t i) { return i >= 498 && i <= 503; }));
+}
+
+TEST_CASE("A drawn line is never more than a pixel from its samples", "[report]") {
+    Figure figure;
+    PlotSeries s = ramp(700);
+    for (std::size_t i = 0; i < 700; ++i) s.data.y[i] = std::sin(0.02 * static_cast<double>(i));
+    figure.series = {s};
+    const std::vector<std::size_t> kept = drawn_samples(figure, s);
+    CHECK(kept.size() < 150);
+    double largest = 0;
+    for (std::size_t k = 1; k < kept.size(); ++k) {
+        const std::size_t a = kept[k - 1], b = kept[k];
+        for (std::size_t i = a; i <= b; ++i) {
+            const double share = static_cast<double>(i - a) / static_cast<double>(b - a);
+            const double drawn = s.data.y[a] + share * (s.data.y[b] - s.data.y[a]);
+            largest = std::max(largest, std::abs(drawn - s.data.y[i]));
+        }
+    }
+    const Window y = data_range(figure, false);
+    CHECK(largest < (y.end - y.begin) / 400);  // of 400 pixels
+}
+
+TEST_CASE("Markers are not thinned to corners: every measured point is seen", "[report]") {
+    Figure figure;
+    PlotSeries s = ramp(100);
+    s.style = Style::points;
+    figure.series = {s};
+    CHECK(drawn_samples(figure, s).size() == 100);
+}
+
+TEST_CASE("A drawing loses empty groups and needless decimals, not its words", "[report]") {
+    CHECK(smaller_svg(
+              "<svg>\n<g fill=\"none\">\n</g>\n<g fill=\"none\">\n\t<path d='M1.25,3.00 L10.123,4.56'/>\n"
+              "<text>0.25</text>\n</g>\n</svg>\n") ==
+          "<svg>\n<g fill=\"none\">\n<path d='M1.2,3 L10.123,4.5'/>\n<text>0.25</text>\n</g>\n</svg>\n");
+}
+
 TEST_CASE("Samples that an axis cannot show are not drawn", "[report]") {
     Figure figure;
     figure.y.logarithmic = true;
@@ -91,6 +139,15 @@ TEST_CASE("Both drawings use the same range on a logarithmic axis", "[report]") 
     const std::string script = gnuplot_script(figure, "out.svg");
     CHECK(samples::contains(script, "set yrange [0.001:100]"));
     CHECK(samples::contains(script, "set logscale y"));
+}
+
+TEST_CASE("A short logarithmic axis names its ticks in full", "[report]") {
+    Figure figure = sample();
+    figure.y.logarithmic = true;
+    figure.y.range = Window{0.1, 3};
+    const auto axis = plotly_figure(figure)["layout"]["yaxis"];
+    CHECK(axis["tickvals"] == nlohmann::json({0.1, 0.2, 0.5, 1.0, 2.0}));
+    CHECK(axis["ticktext"] == nlohmann::json({"0.1", "0.2", "0.5", "1", "2"}));
 }
 
 TEST_CASE("The interactive figure escapes texts and shows error bars", "[report]") {

@@ -29,6 +29,7 @@ TEST_CASE("Numbers have at most the asked number of significant digits", "[repor
     CHECK(number(-2.5) == "−2.5");
     CHECK(number(12345) == "12300");
     CHECK(number(99960) == "1 × 10⁵");
+    CHECK(number(0.00049) == "0.00049");
     CHECK(number(1.234e-5) == "1.23 × 10⁻⁵");
     CHECK(number(6.02214e23, 4) == "6.022 × 10²³");
     CHECK(number(0.0050001, 4) == "0.005");
@@ -54,6 +55,10 @@ TEST_CASE("Base64 follows RFC 4648 for every remainder of three", "[report]") {
     CHECK(base64(std::string_view("fo")) == "Zm8=");
     CHECK(base64(std::string_view("foo")) == "Zm9v");
     CHECK(base64(std::string_view("\xff\xfe\xfd")) == "//79");
+}
+
+TEST_CASE("A drawing in an attribute cannot end it", "[report]") {
+    CHECK(svg_address("<a b=\"#1\">&lt;50%\n") == "data:image/svg+xml,%3Ca b=%22%231%22%3E%26lt;50%25 ");
 }
 
 TEST_CASE("A slug is safe as a file name and an identifier", "[report]") {

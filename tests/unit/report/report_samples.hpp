@@ -78,7 +78,7 @@ inline report::ReportInputs inputs() {
     in.program = {{"version", "0"}};
     in.sketches["tank"] = "<svg xmlns='http://www.w3.org/2000/svg'/>";
     in.pictures["runs/tank/two-phase/0.010000"] = {
-        {"Pressure", 0.5, {1, 2, 3}, {{"p", "Pa", 0, 1, {"#000000", "#ffffff"}}}}};
+        {"Pressure", 0.5, {1, 2, 3}, {{"p", "Pa", 0, 1, {"#000000", "#ffffff"}}}, 2.0}};
     in.plotly = "window.Plotly = {}; // </script>";
     return in;
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "reports/figure.hpp"
+#include "reports/parts.hpp"
 #include "solver/core/errors.hpp"
 #include "tests/unit/report/report_samples.hpp"
 
@@ -87,11 +88,33 @@ TEST_CASE("A run that died comes first, with its reason", "[report]") {
     summary.runs[0].quantities[0].note = "ended before the window";
     const std::string page = page_of(summary);
     const std::string failures = between(page, ">Failures</h2>", "<h2");
-    CHECK(contains(failures, "tank, single-phase, dx = 0.01 m"));
+    CHECK(contains(failures, "tank<br>single-phase, 0.01 m"));
     CHECK(contains(failures, "density error 0.3 at t = 0.1 s"));
-    CHECK(contains(failures, "not computed: ended before the window"));
     CHECK(page.find(">Failures</h2>") < page.find(">Runs</h2>"));
     CHECK(contains(page, "<b>3 of 4</b><span>runs reached their end</span>"));
+}
+
+TEST_CASE("What a run that died lacks is not listed again, and the page says so", "[report]") {
+    Summary summary = samples::summary();
+    RunSummary& dead = summary.runs[0];
+    dead.record.status = RunStatus::unstable;
+    dead.quantities[0].value.reset();
+    dead.quantities[0].within.reset();
+    dead.quantities[0].note = "ended before the window";
+    dead.comparisons[0].within = false;
+    const std::string failures = between(page_of(summary), ">Failures</h2>", "<h2");
+    CHECK_FALSE(contains(failures, "ended before the window"));
+    CHECK_FALSE(contains(failures, "Outside tolerance"));
+    CHECK(contains(failures, "runs that did not reach their end (1) are not listed again"));
+}
+
+TEST_CASE("What a sound run did not reach is listed with the reason", "[report]") {
+    Summary summary = samples::summary();
+    summary.runs[0].quantities[0].value.reset();
+    summary.runs[0].quantities[0].within.reset();
+    summary.runs[0].quantities[0].note = "does not rise through 5";
+    CHECK(contains(between(page_of(summary), ">Failures</h2>", "<h2"),
+                   "not computed: does not rise through 5"));
 }
 
 TEST_CASE("What lies outside tolerance is listed among the failures", "[report]") {
@@ -101,7 +124,7 @@ TEST_CASE("What lies outside tolerance is listed among the failures", "[report]"
     summary.runs[2].comparisons[0].nrmse = 0.234;
     const std::string page = page_of(summary);
     const std::string failures = between(page, ">Failures</h2>", "<h2");
-    CHECK(contains(failures, "tank, two-phase, dx = 0.01 m"));
+    CHECK(contains(failures, "<td rowspan=\"2\" class=\"name\">tank<br>two-phase, 0.01 m</td>"));
     CHECK(contains(failures, "expected 100\u00a0Pa, made up"));
     CHECK(contains(failures, "nrmse 0.234"));
     CHECK(contains(page, "outside tolerance"));
@@ -232,11 +255,12 @@ TEST_CASE("Without gnuplot the page says so and keeps interactive figures and ta
     CHECK_FALSE(std::filesystem::exists(folder / "figures/tank-speed-error.svg"));
 }
 
-TEST_CASE("Without plotly.js the page is static and holds no script", "[report]") {
+TEST_CASE("Without plotly.js the figures are static and the page has its own script alone", "[report]") {
     report::ReportInputs inputs = samples::inputs();
     inputs.plotly.clear();
     const std::string page = page_of(samples::summary(), inputs);
-    CHECK_FALSE(contains(page, "<script"));
+    CHECK(samples::occurrences(page, "<script") == 1);
+    CHECK_FALSE(contains(page, "class=\"plot-data\""));
     CHECK(contains(page, "the figures are static"));
 }
 
@@ -247,9 +271,91 @@ TEST_CASE("plotly.js is part of the page once, whatever it holds", "[report]") {
 
 TEST_CASE("Pictures are part of the page, with title, time and colour bar", "[report]") {
     const std::string page = page_of(samples::summary());
-    CHECK(contains(page, "<figcaption>Pressure, t = 0.5\u00a0s</figcaption>"));
+    CHECK(contains(page, "<figcaption>Pressure, t = 0.5\u00a0s, T = 2</figcaption>"));
+    CHECK(contains(page, "<div class=\"figures player\">\n<figure data-instant=\"t = 0.5\u00a0s, T = 2\">"));
     CHECK(contains(page, "src=\"data:image/png;base64,AQID\""));
     CHECK(contains(page, "linear-gradient(to right,#000000,#ffffff)"));
+}
+
+TEST_CASE("A reference is named by authors and year where its title has them", "[report]") {
+    ComparisonResult c;
+    c.reference = "stem";
+    const auto name = [&](const char* title) {
+        c.title = title;
+        return report::reference_name(c);
+    };
+    CHECK(name("Gauge pressure, Buchner (2002), first digitisation") == "Buchner (2002), first digitisation");
+    CHECK(name("Pressure at 0.267 h_w, incompressible delta-SPH of De Courcy et al. (2024)") ==
+          "De Courcy et al. (2024)");
+    CHECK(name("Buchner (2002), with words that no legend has the room for") == "Buchner (2002)");
+    CHECK(name("Front, WCSPH of a code, H/dx = 400") == "WCSPH of a code, H/dx = 400");
+    CHECK(name("Front, Ritter's shallow-water limit: position early, speed late") ==
+          "Ritter's shallow-water limit");
+    CHECK(name("A title so long that it leaves no room for the curves themselves") == "stem");
+    CHECK(name("") == "stem");
+}
+
+TEST_CASE("Other codes are measured against the same records as this program", "[report]") {
+    Summary summary = samples::summary();
+    for (RunSummary& run : summary.runs) {
+        run.record.series["pressure_gauge"] = {"Pa", "", {0, 1}, {0, 1}, {}};
+        for (ComparisonResult& c : run.comparisons) c.window = Window{0.5, 2};
+        run.comparisons[0].measured = {{0, 2}, {1, 1}};
+        run.comparisons[1].measured = {{0, 2}, {1.25, 1.25}};                            // 0.25 off
+        for (ComparisonResult& c : run.comparisons) c.simulated = {{0, 2}, {1.5, 1.5}};  // 0.5 off
+    }
+    const std::string table = between(page_of(summary), "What other codes reach", "</table>");
+    CHECK(contains(table, ">Pressure against other_code</td><td class=\"number\">0.25</td>"));
+    CHECK(contains(table, ">this program, pressure_gauge</td><td class=\"number\">0.5</td>"));
+    for (RunSummary& run : summary.runs)
+        run.comparisons[1].measured = {{1, 2}, {1, 1}};  // not all of the window
+    CHECK(contains(between(page_of(summary), "What other codes reach", "</table>"),
+                   ">Pressure against other_code</td><td class=\"number\">—</td>"));
+}
+
+TEST_CASE("Conservation shows growth, change, drift and particles outside of each run", "[report]") {
+    Summary summary = samples::summary();
+    for (RunSummary& run : summary.runs) {
+        run.energy_error = 0.0123;
+        run.record.series["mass"] = {"kg/m", "", {0, 1}, {2, 1.5}, {}};
+        run.record.series["particles_outside"] = {"-", "", {0, 1}, {0, 7}, {}};
+        run.record.series["density_error_max"] = {"-", "", {0, 1}, {0.002, 0.001}, {}};
+    }
+    const std::string page = page_of(summary);
+    const std::string table = between(page, ">Conservation</h3>", "</table>");
+    // the three energies of the samples rise by 2 J/m each, the potential one starts from 1 J/m
+    for (const char* cell : {">0.0123<", ">6<", ">0.25<", ">7<", ">0.002<"}) {
+        INFO(cell);
+        CHECK(contains(table, cell));
+    }
+    CHECK_FALSE(contains(table, "momentum"));
+}
+
+TEST_CASE("Cost shows the stages, the pace, the memory of a particle and what limits the step", "[report]") {
+    Summary summary = samples::summary();
+    for (RunSummary& run : summary.runs) run.record.parameters["bytes_per_particle"] = 281;
+    const std::string cost = between(page_of(summary), ">Cost</h3>", "<h3");
+    for (const char* part : {"rates [s]", "advance [s]", "acoustic 100 %", ">281<", ">50000<"}) {
+        INFO(part);
+        CHECK(contains(cost, part));
+    }
+}
+
+TEST_CASE("Every reference is cited once, with its kind and what is compared with it", "[report]") {
+    const std::string page = page_of(samples::summary());
+    CHECK(samples::occurrences(page, "Made-up source of gauge") == 1);
+    CHECK(contains(between(page, "<h4>References</h4>", "</table>"), "<td>experiment</td><td>unknown</td>"));
+}
+
+TEST_CASE("A run without a curve has no figure of references alone", "[report]") {
+    Summary summary = samples::summary();
+    for (RunSummary& run : summary.runs) {
+        if (run.record.variant != "single-phase") continue;
+        for (ComparisonResult& c : run.comparisons) c.simulated = {{0}, {0}};
+    }
+    const std::string page = page_of(summary);
+    CHECK_FALSE(contains(page, "tank-single-phase-pressure-gauge.csv"));
+    CHECK(contains(page, "tank-two-phase-pressure-gauge.csv"));
 }
 
 TEST_CASE("A summary without runs and scenes still makes a page", "[report]") {

@@ -116,10 +116,14 @@ TEST_CASE("Viscosity of a pair is lambda times the harmonic mean over h", "[coef
     CHECK(water_with_air(model).viscosity == 0);
 }
 
-TEST_CASE("Means of density in mixed pairs are harmonic", "[coefficients]") {
+TEST_CASE("The hydrostatic density of mixed pairs is the arithmetic mean, that of the switch the harmonic",
+          "[coefficients]") {
     const PairCoefficients c = water_with_air(two_phase_model());
-    CHECK(c.hydrostatic_density == Approx(2000 / 1001.0));
+    CHECK(c.hydrostatic_density == Approx(500.5));
     CHECK(c.half_density == Approx(1000 / 1001.0));
+    const PairCoefficients water = pair_coefficients(two_phase_model(), Phase::water, Phase::water, h);
+    CHECK(water.hydrostatic_density == Approx(1000));
+    CHECK(water.half_density == Approx(500));
 }
 
 TEST_CASE("A wall dissipates with the fluid's own impedance and is viscous only where viscosity is on",

@@ -83,6 +83,14 @@ TEST_CASE("A wall that accelerates into the fluid has the higher pressure behind
     CHECK(one_sided_pressure(700.0, 1000.0, 0.03, 0.02, 0.0, -9.81 + 9.81) == 700);
 }
 
+TEST_CASE("Stretching along a wall counts from half a spacing on and fades out to a fifth", "[wall]") {
+    CHECK(stretching_share(0.5) == Approx(1));
+    CHECK(stretching_share(3.0) == 1);
+    CHECK(stretching_share(0.35) == Approx(0.5));
+    CHECK(stretching_share(0.2) == Approx(0).margin(1e-15));
+    CHECK(stretching_share(-0.4) == 0);
+}
+
 TEST_CASE("The deficit of the left velocity is its share of the jump less what the pressure jump drives",
           "[riemann]") {
     CHECK(velocity_deficit(4.0, 0.0, 0.25, 1e-4) == Approx(1));

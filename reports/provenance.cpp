@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where runs and references come from.
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "reports/html.hpp"
+#include "reports/parts.hpp"
+
+namespace wetdeck::report {
+
+std::string references_table(const Runs& runs) {
+    std::map<std::string, const ComparisonResult*> references;
+    std::map<std::string, std::set<std::string>> series;  // compared with each
+    for (const RunSummary* run : runs) {
+        for (const ComparisonResult& c : run->comparisons) {
+            references.emplace(c.reference, &c);
+            series[c.reference].insert(c.quantity);
+        }
+    }
+    Table table({"file", "source", "kind", "standard uncertainty", "compared with"});
+    for (const auto& [name, c] : references) {
+        std::string quantities;
+        for (const std::string& quantity : series[name])
+            quantities += (quantities.empty() ? "" : ", ") + quantity;
+        const bool cited = c->available && !c->citation.empty();
+        table.add({text(name), markup(escape(cited ? c->citation : fmt::format("— {}", c->note)), "wide"),
+                   text(c->kind.empty() ? "—" : c->kind), text(c->available ? uncertainty_text(*c) : "—"),
+                   text(quantities)});
+    }
+    return table.empty() ? "" : "<h4>References</h4>\n" + table.html();
+}
+
+std::string provenance_table(const Runs& runs) {
+    std::map<std::string, std::map<std::string, std::vector<std::string>>> entries;  // key, value, runs
+    for (const RunSummary* run : runs) {
+        for (const auto& [key, content] : run->record.choices) {
+            entries[key][content].push_back(
+                fmt::format("{} {}", run->record.variant, spacing_text(run->record.particle_spacing)));
+        }
+    }
+    Table table({"entry", "value", "runs"});
+    for (const auto& [key, values] : entries) {
+        for (const auto& [content, names] : values) {
+            const bool all = names.size() == runs.size();
+            std::string list = all ? "all" : "";
+            for (std::size_t i = 0; !all && i < names.size(); ++i) list += (i == 0 ? "" : ", ") + names[i];
+            table.add({markup(escape(key), "name"), text(content), text(list)});
+        }
+    }
+    return table.empty() ? paragraph("Nothing recorded.", "soft") : table.html();
+}
+
+}  // namespace wetdeck::report

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bad usage and bad input: exit code 2, one line that says what was expected, and nothing left behind.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/faults/program_support.hpp"
+
+using namespace wetdeck;
+using Catch::Contains;
+using samples::Outcome;
+using samples::put_scene;
+using samples::run_program;
+using samples::ScratchFolder;
+
+namespace {
+
+/// The program refuses with exit code 2 and one line that holds `message`.
+void expect_refusal(const std::vector<std::string>& arguments, const std::string& message) {
+    const Outcome outcome = run_program(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 2);
+    REQUIRE(outcome.one_line());
+    REQUIRE_THAT(outcome.err, Contains(message));
+}
+
+}  // namespace
+
+TEST_CASE("the program refuses a bad scene file in one line", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_scene(folder, samples::with("end_time = 0.2", "end_time = \"soon\""));
+    for (const char* command : {"check", "run", "describe"}) {
+        expect_refusal({command, scene}, scene + ":40: key 'run.end_time': expected a finite number");
+    }
+    expect_refusal({"suite", "--only", scene, "--out", folder / "out"}, scene + ":40: key 'run.end_time'");
+    REQUIRE_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_CASE("the program refuses malformed scene files in one line", "[faults]") {
+    const ScratchFolder folder;
+    for (const std::string text : {"[[[[phase]]\ngamm] ", "\xee\x80\x80 = 1\n", "schema = \"1\n", ""}) {
+        const std::string scene = put_scene(folder, text);
+        expect_refusal({"check", scene}, scene);
+    }
+}
+
+TEST_CASE("the program refuses an unknown key given by --set", "[faults]") {
+    const ScratchFolder folder;
+    expect_refusal({"run", "dam_break", "--set", "model.ar=false", "--out", folder / "run"},
+                   "key 'model.ar': unknown, expected one of air, ");
+    REQUIRE_FALSE(std::filesystem::exists(folder / "run"));
+}
+
+TEST_CASE("the program refuses an unknown scene, variant and tier", "[faults]") {
+    const ScratchFolder folder;
+    const std::string out = folder / "out";
+    expect_refusal({"run", "dam_brake", "--out", out}, "no scene 'dam_brake', expected one of ");
+    expect_refusal({"describe", "dam_brake"}, "no scene 'dam_brake'");
+    expect_refusal({"suite", "--only", "dam_brake", "--out", out}, "no scene 'dam_brake'");
+    expect_refusal({"run", "dam_break", "--variant", "three-phase", "--out", out},
+                   "no variant 'three-phase', expected one of two-phase, single-phase, paper");
+    expect_refusal({"suite", "--tier", "slow", "--out", out},
+                   "no tier 'slow', expected quick, standard or paper");
+    REQUIRE_FALSE(std::filesystem::exists(out));
+}
+
+TEST_CASE("the program refuses spacings and times that cannot be run", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_scene(folder), out = folder / "run";
+    expect_refusal({"run", scene, "--dx", "0.07", "--out", out},
+                   "particle spacing 0.07 m does not fit the side of 0.4 m");
+    expect_refusal({"run", scene, "--dx", "-1", "--out", out}, "--dx is -1, expected a positive spacing [m]");
+    expect_refusal({"run", scene, "--dx", "nan", "--out", out}, "expected a positive spacing [m]");
+    expect_refusal({"run", scene, "--dx", "1e-7", "--out", out}, "expected at most 5e+07");
+    expect_refusal({"run", "dam_break", "--dx", "0.06", "--out", out},
+                   "a pressure gauge of 0.04 m is smaller than the particle spacing");
+    expect_refusal({"run", scene, "--dx", "0.04", "--until", "-1", "--out", out},
+                   "--until is -1, expected a positive time [s]");
+    expect_refusal({"run", scene, "--out", out},
+                   "--dx is missing: the scene names no quick spacing for this variant");
+    REQUIRE_FALSE(std::filesystem::exists(out));
+}
+
+TEST_CASE("check refuses a bad reference curve and names its line", "[faults]") {
+    const ScratchFolder folder;
+    std::string curve = samples::bytes_of(std::filesystem::path(WETDECK_SOURCE_DIR) /
+                                          "reference_data/dam_break/ritter_front.csv");
+    REQUIRE_FALSE(curve.empty());
+    const std::string path = folder / "curve.csv";
+    samples::put_bytes(path, curve);
+    REQUIRE(run_program({"check", path}).code == 0);
+    const std::string last = "0.0,word\n";
+    samples::put_bytes(path, curve + last);
+    const auto lines = std::count(curve.begin(), curve.end(), '\n') + 1;
+    expect_refusal({"check", path}, path + ":" + std::to_string(lines) + ": ");
+    samples::put_bytes(path, "a,b\n1,2\n");
+    expect_refusal({"check", path}, path);
+}
+
+TEST_CASE("the program refuses unknown commands, options and values", "[faults]") {
+    expect_refusal({"dance"}, "dance; see wetdeck --help");
+    expect_refusal({"run", "dam_break", "--colour"}, "--colour; see wetdeck --help");
+    expect_refusal({"run"}, "scene is required; see wetdeck --help");
+    expect_refusal({"run", "dam_break", "--dx", "small"}, "--dx = small");
+    expect_refusal({"suite", "--jobs", "0"}, "--jobs");
+}
+
+TEST_CASE("report refuses a directory without runs", "[faults]") {
+    const ScratchFolder folder;
+    expect_refusal({"report", folder / "none"}, "none: no such directory");
+    const std::filesystem::path path = folder;
+    expect_refusal({"report", path}, "holds no run.h5, expected the directory of a suite or a run");
+}
+
+TEST_CASE("report refuses a damaged run and names it", "[faults]") {
+    const ScratchFolder folder;
+    samples::put_bytes(folder / "run.h5", "not HDF5");
+    const std::filesystem::path path = folder;
+    expect_refusal({"report", path}, "run.h5");
+}
+
+TEST_CASE("a directory that holds another run is left as it is, unless it is to be replaced", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_scene(folder), out = folder / "run";
+    const std::vector<std::string> first = {"run",  scene,  "--variant", "single-phase",
+                                            "--dx", "0.04", "--out",     out};
+    std::vector<std::string> other = first;
+    other[5] = "0.02";
+    REQUIRE(run_program(first).code == 0);
+    const std::string before = samples::bytes_of(folder / "run/run.h5");
+    const std::string fields_before = samples::bytes_of(folder / "run/fields/frame_000001.vtp");
+    REQUIRE_FALSE(fields_before.empty());
+    expect_refusal(other, "holds a finished run (small single-phase dx 0.04 ");
+    expect_refusal(first, "holds a finished run (small single-phase dx 0.04 ");
+    REQUIRE(samples::bytes_of(folder / "run/run.h5") == before);
+    REQUIRE(samples::bytes_of(folder / "run/fields/frame_000001.vtp") == fields_before);
+    other.emplace_back("--replace");
+    REQUIRE(run_program(other).code == 0);
+    REQUIRE(samples::bytes_of(folder / "run/run.h5") != before);
+}
+
+TEST_CASE("list, describe, help and version work without a scene being run", "[faults]") {
+    const nlohmann::json list = nlohmann::json::parse(run_program({"list", "--json"}).out);
+    const nlohmann::json& scene = list.at("scenes").at(0);
+    REQUIRE(scene.at("name") == "dam_break");
+    REQUIRE(scene.at("default_variant") == "two-phase");
+    REQUIRE(scene.at("variants").size() == 3);
+    REQUIRE_THAT(run_program({"list"}).out, Contains("single-phase"));
+    REQUIRE_THAT(run_program({"describe", "dam_break"}).out,
+                 Contains("pressure_gauge") && Contains("buchner2002_front  (curve not available"));
+    REQUIRE_THAT(run_program({"--version"}).out, Contains("commit ") && Contains("instruction set "));
+    for (const char* command : {"suite", "run", "report", "list", "describe", "check"}) {
+        const Outcome help = run_program({command, "--help"});
+        REQUIRE(help.code == 0);
+        REQUIRE_THAT(help.out, Contains("--help"));
+    }
+}

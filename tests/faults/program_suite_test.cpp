@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Suites: reports made again, interrupted work taken up again, nothing left running.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/faults/program_support.hpp"
+#include "validation/store/run_store.hpp"
+
+using namespace wetdeck;
+using Catch::Contains;
+using samples::Outcome;
+using samples::Program;
+using samples::put_scene;
+using samples::run_program;
+using samples::ScratchFolder;
+using std::chrono::seconds;
+
+namespace {
+
+/// Three runs of about 0.2 s each.
+const std::string three_runs =
+    samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.02, 0.0201, 0.0202]");
+/// Two runs without end: water that stands still.
+const std::string endless =
+    samples::replaced(samples::replaced(samples::with("end_time = 0.2", "end_time = 1e6"),
+                                        "[0.0, 0.0, 0.4, 0.2]", "[0.0, 0.0, 1.0, 0.2]"),
+                      "[0.4, 0.0, 1.0, 0.2], ", "");
+
+std::vector<std::string> suite(const std::string& scene, const ScratchFolder& folder) {
+    return {"suite", "--only", scene, "--out", folder / "out", "--jobs", "1"};
+}
+
+std::filesystem::path run_of(const ScratchFolder& folder, const std::string& spacing) {
+    return folder / ("out/runs/small/two-phase/dx" + spacing + "/run.h5");
+}
+
+}  // namespace
+
+TEST_CASE("a suite runs every row, and its report can be made again to the same bytes", "[faults]") {
+    const ScratchFolder folder;
+    const Outcome outcome = run_program(suite(put_scene(folder), folder));
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto page = [&] { return samples::bytes_of(folder / "out/index.html"); };
+    const auto summary = [&] { return samples::bytes_of(folder / "out/summary.json"); };
+    const std::string first_page = page(), first_summary = summary();
+    REQUIRE(first_page.size() > 1000);
+    for (int time = 0; time < 2; ++time) {
+        REQUIRE(run_program({"report", folder / "out"}).code == 0);
+        REQUIRE(page() == first_page);
+        REQUIRE(summary() == first_summary);
+    }
+    const nlohmann::json json = nlohmann::json::parse(first_summary);
+    REQUIRE(json.at("schema") == 1);
+    REQUIRE(json.at("tier") == "quick");
+    REQUIRE(json.at("runs").size() == 2);
+    for (const nlohmann::json& run : json.at("runs")) REQUIRE(run.at("status") == "ok");
+}
+
+TEST_CASE("a finished suite is reused whole, and run again with --fresh", "[faults]") {
+    const ScratchFolder folder;
+    std::vector<std::string> arguments = suite(put_scene(folder), folder);
+    REQUIRE(run_program(arguments).code == 0);
+    REQUIRE_THAT(run_program(arguments).out, Contains("dx 0.02: finished before, reused") &&
+                                                 Contains("dx 0.04: finished before, reused") &&
+                                                 Contains("0 runs to do"));
+    arguments.emplace_back("--fresh");
+    REQUIRE_THAT(run_program(arguments).out, Contains("2 runs to do"));
+}
+
+TEST_CASE("runs of a scene that has changed since are not reused", "[faults]") {
+    const ScratchFolder folder;
+    REQUIRE(run_program(suite(put_scene(folder), folder)).code == 0);
+    const std::string changed = put_scene(folder, samples::with("end_time = 0.2", "end_time = 0.21"));
+    REQUIRE_THAT(run_program(suite(changed, folder)).out, Contains("2 runs to do"));
+}
+
+TEST_CASE("a killed suite, started again, reuses what was finished and does the rest", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_scene(folder, three_runs);
+    {
+        Program killed(suite(scene, folder), folder);
+        REQUIRE(Program::true_within(seconds(60),
+                                     [&] { return std::filesystem::exists(run_of(folder, "0.02")); }));
+        killed.kill_all();
+    }
+    REQUIRE_FALSE(std::filesystem::exists(run_of(folder, "0.0202")));
+    const std::string finished = samples::bytes_of(run_of(folder, "0.02"));
+    const Outcome outcome = run_program(suite(scene, folder));
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.code == 0);
+    REQUIRE_THAT(outcome.out, Contains("dx 0.02: finished before, reused"));
+    REQUIRE(samples::bytes_of(run_of(folder, "0.02")) == finished);
+    for (const char* spacing : {"0.0201", "0.0202"})
+        REQUIRE(read_run(run_of(folder, spacing)).status == RunStatus::ok);
+    REQUIRE(nlohmann::json::parse(samples::bytes_of(folder / "out/summary.json")).at("runs").size() == 3);
+}
+
+TEST_CASE("a killed run leaves no run that looks finished, and can be started again", "[faults]") {
+    const ScratchFolder folder;
+    const std::vector<std::string> arguments = {
+        "run", put_scene(folder), "--variant", "single-phase", "--dx", "0.02", "--out", folder / "run"};
+    std::vector<std::string> long_run = arguments;
+    long_run[1] = folder / "long.toml";
+    samples::put_bytes(folder / "long.toml", endless);
+    {
+        Program killed(long_run, folder);
+        REQUIRE(Program::true_within(seconds(30),
+                                     [&] { return std::filesystem::exists(folder / "run/fields.pvd"); }));
+        killed.kill_all();
+    }
+    REQUIRE_FALSE(std::filesystem::exists(folder / "run/run.h5"));
+    const Outcome other = run_program(arguments);  // of another length: not the run that was killed
+    REQUIRE(other.code == 2);
+    REQUIRE_THAT(other.err, Contains("holds another, unfinished run"));
+    std::vector<std::string> replacing = arguments;
+    replacing.emplace_back("--replace");
+    REQUIRE(run_program(replacing).code == 0);
+}
+
+TEST_CASE("two suites do not work in the same run directory", "[faults]") {
+    const ScratchFolder folder, logs;
+    const std::string scene = put_scene(folder, endless);
+    Program first(suite(scene, folder), logs);
+    const std::filesystem::path log = folder / "out/runs/small/single-phase/dx0.02";
+    REQUIRE(Program::true_within(seconds(30), [&] { return std::filesystem::exists(log / "fields.pvd"); }));
+    const Outcome second =
+        run_program({"run", scene, "--variant", "single-phase", "--dx", "0.02", "--out", log, "--replace"});
+    REQUIRE(second.code == 4);
+    REQUIRE(second.one_line());
+    REQUIRE_THAT(second.err, Contains("another process is working in this directory"));
+}
+
+TEST_CASE("a killed suite leaves no run going on", "[faults]") {
+    const ScratchFolder folder;
+    Program killed(suite(put_scene(folder, endless), folder), folder);
+    REQUIRE(Program::true_within(seconds(30), [&] {
+        return std::filesystem::exists(folder / "out/runs/small/single-phase/dx0.02/fields.pvd");
+    }));
+    killed.kill_parent();
+    REQUIRE(killed.all_gone_within(seconds(5)));
+}

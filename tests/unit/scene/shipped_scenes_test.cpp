@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scenes that come with the program, against the data that come with it.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "validation/execute/assemble.hpp"
+#include "validation/metrics/reference.hpp"
+#include "validation/scene/scene.hpp"
+
+using namespace wetdeck;
+
+namespace {
+
+/// Curves that could not be obtained; the README of the data says so.
+const std::set<std::string> missing_curves = {"buchner2002_front"};
+
+/// Calls `check(scene)` for every scene in every variant.
+template <class Check>
+void for_every_variant(const Check& check) {
+    REQUIRE_FALSE(scene_names().empty());
+    for (const std::string& name : scene_names()) {
+        for (const VariantInfo& variant : read_scene(find_scene(name)).variants) {
+            INFO(name << " " << variant.name);
+            check(read_scene(find_scene(name), variant.name));
+        }
+    }
+}
+
+void check_curve(const Scene& scene, const std::string& reference, const std::string& x,
+                 const std::string& y) {
+    const std::filesystem::path file = reference_directory() / scene.name() / (reference + ".csv");
+    INFO(file.string() << " " << x << " " << y);
+    if (missing_curves.count(reference)) {
+        REQUIRE_FALSE(std::filesystem::exists(file));  // else take it off the list
+        return;
+    }
+    const Reference data = load_reference(file);
+    REQUIRE_NOTHROW(column_curve(data, x, y));
+}
+
+}  // namespace
+
+TEST_CASE("every shipped scene is named like its file and described in every variant") {
+    for_every_variant([](const Scene& scene) {
+        REQUIRE(find_scene(scene.name()).stem() == scene.name());
+        REQUIRE_FALSE(scene.analysis.purpose.empty());
+        for (const VariantInfo& variant : scene.variants) REQUIRE_FALSE(variant.description.empty());
+    });
+}
+
+TEST_CASE("every spacing of every tier fits its scene") {
+    for_every_variant([](const Scene& scene) {
+        for (const char* tier : {"quick", "standard", "paper"}) {
+            INFO(tier);
+            const auto spacings = scene.tiers.at(tier).find(scene.variant);
+            if (spacings == scene.tiers.at(tier).end()) continue;
+            for (const double dx : spacings->second) {
+                if (scene.tank.high.prod() / (dx * dx) > 1e5) continue;  // fits where a multiple fits
+                REQUIRE_NOTHROW(check_spacing(scene, dx));
+            }
+        }
+    });
+}
+
+TEST_CASE("every reference of a shipped scene can be loaded or is known to be missing") {
+    for_every_variant([](const Scene& scene) {
+        REQUIRE_FALSE(scene.analysis.comparisons.empty());
+        for (const ComparisonSpec& c : scene.analysis.comparisons)
+            check_curve(scene, c.reference, c.x_column, c.y_column);
+        for (const QuantitySpec& q : scene.analysis.quantities) {
+            if (!q.reference.empty()) check_curve(scene, q.reference, "T", q.y_column);
+        }
+    });
+}
+
+TEST_CASE("every quantity and comparison of a shipped scene speaks of a series that its runs record") {
+    for_every_variant([](const Scene& scene) {
+        const std::vector<double>& spacings = scene.tiers.at("quick").at(scene.variant);
+        const Recorders recorders(scene, spacings.front());
+        std::set<std::string> recorded;
+        for (const Recorder& recorder : recorders.list()) recorded.insert(recorder.name);
+        for (const QuantitySpec& q : scene.analysis.quantities) REQUIRE(recorded.count(q.series) == 1);
+        for (const ComparisonSpec& c : scene.analysis.comparisons) REQUIRE(recorded.count(c.quantity) == 1);
+    });
+}

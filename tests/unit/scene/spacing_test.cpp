@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spacings that a scene can and cannot be run at, and what they will cost.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/unit/scene/scene_samples.hpp"
+#include "validation/execute/assemble.hpp"
+
+using namespace wetdeck;
+using Catch::Contains;
+
+namespace {
+
+Scene small(const std::vector<std::string>& overrides = {}) {
+    return parse_scene(samples::small_scene, "small.toml", std::nullopt, overrides);
+}
+
+}  // namespace
+
+TEST_CASE("a spacing that divides every side is taken") {
+    REQUIRE_NOTHROW(check_spacing(small(), 0.02));
+    REQUIRE_NOTHROW(check_spacing(small(), 0.04));
+}
+
+TEST_CASE("a spacing that does not fit a side is refused with the nearest that do") {
+    REQUIRE_THROWS_AS(check_spacing(small(), 0.07), InputError);
+    REQUIRE_THROWS_WITH(check_spacing(small(), 0.07),
+                        Contains("particle spacing 0.07 m does not fit the side of 0.4 m (5.71 particles)") &&
+                            Contains("the nearest that do are 0.08 and 0.0666667 m"));
+}
+
+TEST_CASE("a spacing that is not a positive number is refused") {
+    for (const double bad : {0.0, -0.02, std::nan("")})
+        REQUIRE_THROWS_WITH(check_spacing(small(), bad), Contains("expected a positive spacing"));
+}
+
+TEST_CASE("a spacing that would make too many particles is refused before they are made") {
+    REQUIRE_THROWS_WITH(check_spacing(small(), 1e-6),
+                        Contains("would make 4.8e+11 particles, expected at most 5e+07"));
+}
+
+TEST_CASE("a gauge smaller than the spacing is refused") {
+    REQUIRE_THROWS_AS(
+        check_spacing(
+            small({"probes=[{name=\"g\", type=\"wall_pressure\", centre=[1.0,0.1], diameter=0.03}]"}), 0.04),
+        InputError);
+    REQUIRE_THROWS_WITH(
+        check_spacing(
+            small({"probes=[{name=\"g\", type=\"wall_pressure\", centre=[1.0,0.1], diameter=0.03}]"}), 0.04),
+        Contains("a pressure gauge of 0.03 m is smaller than the particle spacing 0.04 m"));
+}
+
+TEST_CASE("a scene is assembled with the particles that its boxes hold") {
+    const Simulation simulation = assemble(small(), 0.04, 1);
+    REQUIRE(simulation.fluid().size() == 25 * 12);
+    double mass = 0;
+    for (std::size_t i = 0; i < simulation.fluid().size(); ++i)
+        mass += simulation.fluid().state[i].volume * simulation.fluid().state[i].density;
+    REQUIRE(mass == Approx(1000 * 0.4 * 0.2 + 1 * (0.48 - 0.08)).epsilon(0.01));
+}
+
+TEST_CASE("the estimated particles are those that a run makes") {
+    REQUIRE(estimate_cost(small(), 0.04).fluid_particles == Approx(300));
+    REQUIRE(estimate_cost(small({"model.air=false"}), 0.04).fluid_particles == Approx(50));
+}
+
+TEST_CASE("half the spacing costs four times the particles, twice the steps and eight times the time") {
+    const CostEstimate coarse = estimate_cost(small(), 0.04), fine = estimate_cost(small(), 0.02);
+    REQUIRE(fine.fluid_particles / coarse.fluid_particles == Approx(4));
+    REQUIRE(fine.steps / coarse.steps == Approx(2).epsilon(0.05));
+    REQUIRE(fine.core_seconds / coarse.core_seconds == Approx(8).epsilon(0.05));
+    REQUIRE(fine.particle_steps == Approx(fine.fluid_particles * fine.steps));
+}
+
+TEST_CASE("twice the time costs twice the steps") {
+    REQUIRE(estimate_cost(small({"run.end_time=0.4"}), 0.02).steps / estimate_cost(small(), 0.02).steps ==
+            Approx(2));
+}
+
+TEST_CASE("water alone costs less than water and air") {
+    REQUIRE(estimate_cost(small({"model.air=false"}), 0.02).core_seconds <
+            0.2 * estimate_cost(small(), 0.02).core_seconds);
+}
