@@ -130,7 +130,7 @@ void density_rates(const PassInput& in) {
     }
 }
 
-// --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . r_wf ] W_wf / SUM_f W_wf, Eq. (19) -----------------------------------
+// --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, Eq. (19) -------------------------
 
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
@@ -154,7 +154,7 @@ void wall_means(const PassInput& in) {
             const Separation s = separation(w, f.x, f.y);
             const Pack t = positive_part(2.0 - s.distance * inverse_h);
             const Pack weight = t * t * t * t * (2.0 * s.distance * inverse_h + 1.0);
-            pressure_sum += weight * (f.pressure + f.density * (drive_x * s.x + drive_y * s.y));
+            pressure_sum += weight * (f.pressure - f.density * (drive_x * s.x + drive_y * s.y));
             weight_sum += weight;
             vx_sum += weight * f.vx;
             vy_sum += weight * f.vy;

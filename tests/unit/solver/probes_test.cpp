@@ -58,6 +58,17 @@ TEST_CASE("A gauge above the water reads nothing and one half covered reads less
     CHECK(at_surface < 600);
 }
 
+TEST_CASE("A gauge that one particle hardly touches reads its pressure by four times its share", "[probe]") {
+    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    setup.fluid.add(Phase::water, {0.97, 0.5}, 0.4, 1001);
+    const Simulation simulation = setup.simulate();
+    const FluidState particle = simulation.fluid().state[0];
+    const double share = particle.volume * simulation.kernel().value(0.03);
+    REQUIRE(share < 0.1);
+    CHECK(WallPressureProbe({1.0, 0.5}, 1e-9).sample(simulation) ==
+          Approx(4 * share * (particle.pressure - 1000)).epsilon(1e-9));
+}
+
 TEST_CASE("A gauge smaller than the particle spacing is refused", "[probe]") {
     const WallPressureProbe probe({1.0, 0.2}, 0.019);
     CHECK_THROWS_AS(probe.check(0.02), InputError);
