@@ -37,7 +37,7 @@ class StageTimer {
 
 std::string Instability::describe() const {
     char text[256];
-    std::snprintf(text, sizeof text, "unstable at t = %.6g s (step %llu): %s, particle %u at (%.4g, %.4g) m", time,
+    std::snprintf(text, sizeof text, "at t = %.6g s (step %llu): %s, particle %u at (%.4g, %.4g) m", time,
                   static_cast<unsigned long long>(step), quantity.c_str(), particle, position.x(), position.y());
     return text;
 }

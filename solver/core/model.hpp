@@ -30,7 +30,7 @@ struct Model {
     Dissipation dissipation = Dissipation::low_dissipation;
     double dissipation_slope = 10;        ///< of the limiter min(slope du / c, 1), water with water
     double dissipation_floor = 0;         ///< least share of the full Riemann dissipation, both signs, water with water
-    double air_dissipation = 0.1;         ///< share of the full Riemann dissipation in pairs with air
+    double air_dissipation = 0.03;        ///< share of the full Riemann dissipation in pairs with air
     Viscosity viscosity = Viscosity::none;
     bool dissipation_switch = false;      ///< Yang et al. (2020), Eqs. (14)-(15)
     WallSlip wall_slip = WallSlip::free;

@@ -120,7 +120,7 @@ TEST_CASE("an output below a regular file ends with exit code 4", "[faults]") {
 }
 
 TEST_CASE("a full disk ends a run with exit code 4, a clear line, and no run that looks finished",
-          "[faults][!shouldfail]") {
+          "[faults]") {
     const ScratchFolder folder;
     const std::string scene = put_scene(
         folder, samples::with("sample_interval = 0.002", "sample_interval = 1e-6\nframe_interval = 0.001"));

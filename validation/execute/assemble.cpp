@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "solver/core/errors.hpp"
 #include "solver/probes/energy.hpp"
 #include "solver/probes/front.hpp"
@@ -56,7 +58,9 @@ Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
 
 void check_spacing(const Scene& scene, double particle_spacing) {
     constexpr double most_particles = 5e7;
-    if (!(particle_spacing > 0)) throw InputError(fmt::format("--dx is {}, expected a positive spacing [m]", particle_spacing));
+    if (!(particle_spacing > 0) || !std::isfinite(particle_spacing)) {
+        throw InputError(fmt::format("--dx is {}, expected a positive, finite spacing [m]", particle_spacing));
+    }
     const double particles = (scene.tank.high - scene.tank.low).prod() / (particle_spacing * particle_spacing);
     if (particles > most_particles) {
         throw InputError(fmt::format("particle spacing {} m would make {:.2g} particles, expected at most {:.2g}",
@@ -88,24 +92,13 @@ Recorders::Recorders(const Scene& scene, double particle_spacing) {
                 break;
         }
     }
-    for (const Recorder& every : std::initializer_list<Recorder>{
-             {"energy_kinetic", "J/m", "kinetic energy of all fluid"},
-             {"energy_potential", "J/m", "potential energy of all fluid, zero at the tank's corner"},
-             {"energy_compression", "J/m", "elastic energy of all fluid against its reference density"},
-             {"momentum_x", "N s/m", "momentum of all fluid along x"},
-             {"momentum_y", "N s/m", "momentum of all fluid along y"},
-             {"mass", "kg/m", "mass of all fluid"},
-             {"density_error_max", "-", "largest |rho/rho0 - 1| of the water"},
-             {"particles_outside", "-", "fluid particles beyond the tank's faces"},
-             {"time_step", "s", "stable time step"}}) {
-        list_.push_back(every);
-    }
+    list_.insert(list_.end(), every_run_series().begin(), every_run_series().end());
 }
 
 void Recorders::sample(const Simulation& simulation, std::vector<double>& values) const {
     values.clear();
     for (const auto& probe : probes_) values.push_back(probe(simulation));
-    const Balance b = balance(simulation);
+    const Balance b = balance(simulation);  // in the order of every_run_series()
     values.insert(values.end(), {b.kinetic, b.potential, b.compression, b.momentum.x(), b.momentum.y(), b.mass,
                                  b.water_density_error, static_cast<double>(b.outside), simulation.time_step().size});
 }

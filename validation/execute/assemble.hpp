@@ -14,25 +14,18 @@ namespace wetdeck {
 /// The simulation of a scene, ready to run. Throws InputError for a spacing that does not fit.
 Simulation assemble(const Scene& scene, double particle_spacing, int threads);
 
-/// A named quantity sampled from a simulation.
-struct Recorder {
-    std::string name;
-    std::string unit;
-    std::string description;
-};
-
 /// All scalar series of a scene: its probes, then what every run records. One pass over the particles serves the latter.
 class Recorders {
   public:
     /// Throws InputError where a probe is too small for the spacing.
     Recorders(const Scene& scene, double particle_spacing);
 
-    const std::vector<Recorder>& list() const { return list_; }
+    const std::vector<SeriesInfo>& list() const { return list_; }
     /// One value per recorder, in SI units.
     void sample(const Simulation& simulation, std::vector<double>& values) const;
 
   private:
-    std::vector<Recorder> list_;
+    std::vector<SeriesInfo> list_;
     std::vector<std::function<double(const Simulation&)>> probes_;
 };
 

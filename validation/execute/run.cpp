@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <chrono>
 #include <ctime>
 
@@ -58,7 +59,7 @@ class SeriesKeeper {
     SeriesKeeper(const Scene& scene, const RunOptions& options)
         : recorders_(scene, options.particle_spacing), interval_(scene.sample_interval),
           live_(options.directory, columns(recorders_)) {
-        for (const Recorder& r : recorders_.list()) kept_.push_back({r.unit, r.description, {}, {}, {}});
+        for (const SeriesInfo& r : recorders_.list()) kept_.push_back({r.unit, r.description, {}, {}, {}});
     }
 
     void observe(const Simulation& simulation, bool last) {
@@ -83,7 +84,7 @@ class SeriesKeeper {
   private:
     static std::vector<LiveColumn> columns(const Recorders& recorders) {
         std::vector<LiveColumn> result;
-        for (const Recorder& r : recorders.list()) result.push_back({r.name, r.unit, r.description});
+        for (const SeriesInfo& r : recorders.list()) result.push_back({r.name, r.unit, r.description});
         return result;
     }
 
@@ -171,17 +172,21 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
     SeriesKeeper keeper(scene, options);
     FieldWriter fields(options.directory);
     std::size_t next_frame = 0;
+    FieldFrame last_good;  // what an unstable run leaves behind; more often while the run is young
     const auto observe = [&](const Simulation& s) {
         keeper.observe(s, s.time() >= end);
         if (next_frame < scene.frame_times.size() && s.time() >= scene.frame_times[next_frame]) {
             while (next_frame < scene.frame_times.size() && s.time() >= scene.frame_times[next_frame]) ++next_frame;
             fields.write(frame_of(s));
         }
+        constexpr std::uint64_t steps_between = 256;
+        if (s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()))) last_good = frame_of(s);
         if (s.steps() % 64 == 0) progress.update(s.time() / end, fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end, s.steps()));
     };
     if (const std::optional<Instability> trouble = simulation.run(end, observe)) {
         record.status = RunStatus::unstable;
         record.stop_reason = trouble->describe();
+        if (fields.frames().empty() || last_good.time > fields.frames().back().time) fields.write(last_good);
     }
     record.series = keeper.series();
     record.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -80,13 +80,20 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     if (const std::optional<TomlTable> table = root.optional_table("scales")) {
         for (const std::string& name : table->keys()) scales[name] = table->positive(name);
     }
+    std::vector<std::string> series;
+    for (const ProbeSpec& probe : scene.probes) series.push_back(probe.name);
+    for (const SeriesInfo& info : every_run_series()) series.push_back(info.name);
     AnalysisSpec& analysis = scene.analysis;
     std::set<std::string> names;
     for (const TomlTable& table : root.tables("quantities")) {
+        table.choice("series", series);
         analysis.quantities.push_back(read_quantity(table, scales));
         if (!names.insert(analysis.quantities.back().name).second) table.fail("name", "is used twice");
     }
-    for (const TomlTable& table : root.tables("compare")) analysis.comparisons.push_back(read_comparison(table, scales));
+    for (const TomlTable& table : root.tables("compare")) {
+        table.choice("quantity", series);
+        analysis.comparisons.push_back(read_comparison(table, scales));
+    }
     for (const TomlTable& table : root.tables("deviations")) {
         analysis.deviations.push_back(
             {table.text("item"), table.text("source"), table.text("used"), table.text("reason")});

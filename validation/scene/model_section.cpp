@@ -105,7 +105,7 @@ void read_model(const TomlTable& root, Scene& scene) {
     m.wall_velocity = named(model, "wall_velocity", m.wall_velocity, wall_velocities);
     m.wall_dissipation = share(model, "wall_dissipation", m.wall_dissipation);
     m.wall_slip = named(model, "wall_slip", m.wall_slip, slips);
-    m.tension = model.boolean_or("tension", m.tension);
+    m.tension = model.boolean_or("tension", scene.air);
     m.smoothing_ratio = model.number_or("smoothing_ratio", m.smoothing_ratio);
     if (!(m.smoothing_ratio >= 1 && m.smoothing_ratio <= 3)) {
         model.fail("smoothing_ratio", fmt::format("is {}, expected 1 to 3", m.smoothing_ratio));

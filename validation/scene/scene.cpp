@@ -34,7 +34,8 @@ std::string read_file(const fs::path& path) {
     return text.str();
 }
 
-std::vector<Box> read_boxes(const TomlTable& table, const Box& tank) {
+/// @param taken  boxes that are filled already
+std::vector<Box> read_boxes(const TomlTable& table, const Box& tank, const std::vector<Box>& taken) {
     std::vector<Box> boxes;
     for (const std::vector<double>& row : table.number_rows("boxes", 4)) {
         const Box box{{row[0], row[1]}, {row[2], row[3]}};
@@ -42,9 +43,11 @@ std::vector<Box> read_boxes(const TomlTable& table, const Box& tank) {
         const bool inside = (box.low - tank.low).minCoeff() > -1e-9 && (tank.high - box.high).minCoeff() > -1e-9;
         if (!proper) table.fail("boxes", "expected x_low, y_low, x_high, y_high with low below high");
         if (!inside) table.fail("boxes", "a box reaches outside the tank");
-        for (const Box& other : boxes) {
-            const Vec2 common = box.high.cwiseMin(other.high) - box.low.cwiseMax(other.low);
-            if (common.minCoeff() > 1e-9) table.fail("boxes", "two boxes overlap");
+        const auto overlaps = [&box](const Box& other) {
+            return (box.high.cwiseMin(other.high) - box.low.cwiseMax(other.low)).minCoeff() > 1e-9;
+        };
+        if (std::any_of(boxes.begin(), boxes.end(), overlaps) || std::any_of(taken.begin(), taken.end(), overlaps)) {
+            table.fail("boxes", "two boxes overlap");
         }
         boxes.push_back(box);
     }
@@ -139,11 +142,11 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
 
     read_model(root, scene);
     const TomlTable water = root.table("water");
-    scene.water_boxes = read_boxes(water, scene.tank);
+    scene.water_boxes = read_boxes(water, scene.tank, {});
     for (const char* key : {"density", "sound_speed", "exponent", "viscosity"}) water.has(key);
     water.finish();
     if (const std::optional<TomlTable> air = root.optional_table("air")) {
-        scene.air_boxes = read_boxes(*air, scene.tank);
+        scene.air_boxes = read_boxes(*air, scene.tank, scene.water_boxes);
         for (const char* key : {"density", "sound_speed", "exponent", "viscosity", "law"}) air->has(key);
         air->finish();
     }
@@ -158,6 +161,20 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
 }
 
 }  // namespace
+
+const std::vector<SeriesInfo>& every_run_series() {
+    static const std::vector<SeriesInfo> series = {
+        {"energy_kinetic", "J/m", "kinetic energy of all fluid"},
+        {"energy_potential", "J/m", "potential energy of all fluid, zero at the tank's corner"},
+        {"energy_compression", "J/m", "elastic energy of all fluid against its reference density"},
+        {"momentum_x", "N s/m", "momentum of all fluid along x"},
+        {"momentum_y", "N s/m", "momentum of all fluid along y"},
+        {"mass", "kg/m", "mass of all fluid"},
+        {"density_error_max", "-", "largest |rho/rho0 - 1| of the water"},
+        {"particles_outside", "-", "fluid particles beyond the tank's faces"},
+        {"time_step", "s", "stable time step"}};
+    return series;
+}
 
 Scene parse_scene(const std::string& text, const std::string& path, const std::optional<std::string>& variant,
                   const std::vector<std::string>& overrides) {

@@ -31,6 +31,16 @@ struct InitialPressure {
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
+/// A scalar series that a run records.
+struct SeriesInfo {
+    std::string name;
+    std::string unit;
+    std::string description;
+};
+
+/// The series of every run, whatever its scene.
+const std::vector<SeriesInfo>& every_run_series();
+
 struct VariantInfo {
     std::string name;
     std::string description;

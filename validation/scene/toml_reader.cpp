@@ -27,6 +27,7 @@ struct TomlTable::Node {
 
 struct TomlDocument::State {
     toml::table root;
+    std::string text;
     std::shared_ptr<const std::string> path;
 };
 
@@ -37,13 +38,14 @@ std::string place(const std::string& path, const toml::source_region& region) {
     return region.begin.line > 0 ? fmt::format("{}:{}", path, region.begin.line) : path;
 }
 
-void merge(toml::table& target, const toml::table& source) {
-    for (const auto& [key, value] : source) {
+/// Moves the entries of `source`: a copy would forget where in the file they stand.
+void merge(toml::table& target, toml::table& source) {
+    for (auto&& [key, value] : source) {
         toml::node* existing = target.get(key.str());
         if (existing && existing->is_table() && value.is_table()) {
             merge(*existing->as_table(), *value.as_table());
         } else {
-            target.insert_or_assign(key.str(), value);
+            value.visit([&](auto& entry) { target.insert_or_assign(key.str(), std::move(entry)); });
         }
     }
 }
@@ -214,32 +216,33 @@ void TomlTable::finish() const {
 // --- document -------------------------------------------------------------------------------------------------------
 
 TomlDocument::TomlDocument(const std::string& text, const std::string& path)
-    : state_(std::make_unique<State>(State{parse(text, path), std::make_shared<const std::string>(path)})) {}
+    : state_(std::make_unique<State>(State{parse(text, path), text, std::make_shared<const std::string>(path)})) {}
 TomlDocument::~TomlDocument() = default;
 TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
 
 void TomlDocument::overlay(const std::vector<std::string>& path_to_table) {
-    const toml::table* source = &state_->root;
+    toml::table again = parse(state_->text, *state_->path);
+    toml::table* source = &again;
     for (const std::string& key : path_to_table) {
-        const toml::node* child = source->get(key);
+        toml::node* child = source->get(key);
         if (!child || !child->is_table()) throw InputError(fmt::format("{}: no table '{}'", *state_->path, key));
         source = child->as_table();
     }
-    const toml::table copy = *source;
-    merge(state_->root, copy);
+    merge(state_->root, *source);
 }
 
 void TomlDocument::set(const std::string& assignment) {
     const std::string where = fmt::format("option --set {}", assignment);
     const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos || equals == 0) throw InputError(where + ": expected KEY=VALUE");
+    const bool one_line = assignment.find('\n') == std::string::npos;
+    if (equals == std::string::npos || equals == 0 || !one_line) throw InputError(where + ": expected KEY=VALUE");
     toml::table parsed;
     try {
         parsed = toml::parse(assignment, where);
     } catch (const toml::parse_error&) {
         // a bare word is a text
         const std::string value = assignment.substr(equals + 1);
-        if (value.find_first_of("\"'\\\n") != std::string::npos) throw InputError(where + ": the value is not valid TOML");
+        if (value.find_first_of("\"'\\") != std::string::npos) throw InputError(where + ": the value is not valid TOML");
         parsed = parse(fmt::format("{}=\"{}\"", assignment.substr(0, equals), value), where);
     }
     merge(state_->root, parsed);

@@ -79,7 +79,7 @@ TEST_CASE("every quantity and comparison of a shipped scene speaks of a series t
         const std::vector<double>& spacings = scene.tiers.at("quick").at(scene.variant);
         const Recorders recorders(scene, spacings.front());
         std::set<std::string> recorded;
-        for (const Recorder& recorder : recorders.list()) recorded.insert(recorder.name);
+        for (const SeriesInfo& recorder : recorders.list()) recorded.insert(recorder.name);
         for (const QuantitySpec& q : scene.analysis.quantities) REQUIRE(recorded.count(q.series) == 1);
         for (const ComparisonSpec& c : scene.analysis.comparisons) REQUIRE(recorded.count(c.quantity) == 1);
     });
