@@ -24,7 +24,9 @@ bool needs_wall_means(const Model& model) {
 class StageTimer {
   public:
     explicit StageTimer(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
-    ~StageTimer() { total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    ~StageTimer() {
+        total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
     StageTimer(const StageTimer&) = delete;
     StageTimer& operator=(const StageTimer&) = delete;
 
@@ -38,7 +40,8 @@ class StageTimer {
 std::string Instability::describe() const {
     char text[256];
     std::snprintf(text, sizeof text, "at t = %.6g s (step %llu): %s, particle %u at (%.4g, %.4g) m", time,
-                  static_cast<unsigned long long>(step), quantity.c_str(), particle, position.x(), position.y());
+                  static_cast<unsigned long long>(step), quantity.c_str(), particle, position.x(),
+                  position.y());
     return text;
 }
 
@@ -116,9 +119,10 @@ void Simulation::momentum_pass() {
 void Simulation::update_density(double dt) {
     const StageTimer timer(stages_.integration);
     const auto advance = [&](std::size_t first, std::size_t last, const TaitEquationOfState& eos) {
-        const double lowest = model_.tension ? lowest_density_ratio * eos.reference_density : eos.reference_density;
-        loops_.advance_density(fluid_.state.data(), fluid_.density_rate.data(), fluid_.mass.data(), first, last, dt, eos,
-                               lowest, threads_);
+        const double lowest =
+            model_.tension ? lowest_density_ratio * eos.reference_density : eos.reference_density;
+        loops_.advance_density(fluid_.state.data(), fluid_.density_rate.data(), fluid_.mass.data(), first,
+                               last, dt, eos, lowest, threads_);
     };
     advance(0, fluid_.water, model_.water.eos);
     advance(fluid_.water, fluid_.size(), model_.air.eos);
@@ -137,7 +141,8 @@ void Simulation::evaluate() {
                                   fluid_.water < fluid_.size());
 }
 
-/// The pressure convection rate grad(p).v from the momentum equation itself: grad(p) = -rho (dv/dt - g), Eq. (15).
+/// The pressure convection rate grad(p).v from the momentum equation itself: grad(p) = -rho (dv/dt - g), Eq.
+/// (15).
 void Simulation::mark_impacts() {
     const double fastest = std::max(fastest_[0], fastest_[1]);
     const double g = model_.gravity.norm();
@@ -193,8 +198,10 @@ std::optional<Instability> Simulation::kick(double dt) {
     double fastest_water = 0, fastest_air = 0;
     std::int64_t first_bad = size;
     const double densities[] = {model_.water.eos.reference_density, model_.air.eos.reference_density};
-#pragma omp parallel for schedule(static) num_threads(threads_) reduction(max : fastest_water, fastest_air) \
-    reduction(min : first_bad)
+#pragma omp parallel for schedule(static) num_threads(threads_) reduction(max                           \
+                                                                          : fastest_water, fastest_air) \
+    reduction(min                                                                                       \
+              : first_bad)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         FluidState& p = fluid_.state[i];
@@ -214,7 +221,8 @@ std::optional<Instability> Simulation::kick(double dt) {
     const auto i = static_cast<std::size_t>(first_bad);
     char text[160];
     std::snprintf(text, sizeof text, "%s density %.4g kg/m3 and speed %.4g m/s left the range of a fluid",
-                  i < fluid_.water ? "water" : "air", fluid_.state[i].density, fluid_.state[i].velocity().norm());
+                  i < fluid_.water ? "water" : "air", fluid_.state[i].density,
+                  fluid_.state[i].velocity().norm());
     return Instability{time_ + dt, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only time loop: particles, neighbour list, passes, velocity Verlet, time step, stage timers, stop reasons.
+// The only time loop: particles, neighbour list, passes, velocity Verlet, time step, stage timers, stop
+// reasons.
 //
-// One step (velocity Verlet as in Adami, Hu and Adams, 2012): half kick and half drift; density from the rates at the
-// middle; half drift; accelerations at the end; half kick. Two passes over the pairs per step.
+// One step (velocity Verlet as in Adami, Hu and Adams, 2012): half kick and half drift; density from the
+// rates at the middle; half drift; accelerations at the end; half kick. Two passes over the pairs per step.
 #pragma once
 
 #include <array>
@@ -22,25 +23,27 @@ namespace wetdeck {
 
 /// Why a run cannot go on.
 struct Instability {
-    double time = 0;         ///< [s]
+    double time = 0;  ///< [s]
     std::uint64_t step = 0;
     std::uint32_t particle = 0;  ///< id
     Vec2 position = Vec2::Zero();
-    std::string quantity;    ///< what left its range, with value and range
+    std::string quantity;  ///< what left its range, with value and range
 
     /// One sentence for a person.
     std::string describe() const;
 };
 
 struct StageTimes {
-    double neighbours = 0, density = 0, momentum = 0, walls = 0, integration = 0, probes = 0;  ///< wall seconds
+    double neighbours = 0, density = 0, momentum = 0, walls = 0, integration = 0,
+           probes = 0;  ///< wall seconds
 };
 
 class Simulation {
   public:
-    /// @param domain  interior of the tank [m]; particles that leave it by more than a support radius stop the run
-    /// Throws InputError where the model contradicts itself.
-    Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing, Box domain);
+    /// @param domain  interior of the tank [m]; particles that leave it by more than a support radius stop
+    /// the run Throws InputError where the model contradicts itself.
+    Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
+               Box domain);
 
     /// Called after the first evaluation and after every step.
     using Observer = std::function<void(const Simulation&)>;
@@ -61,7 +64,9 @@ class Simulation {
     std::uint64_t steps() const { return steps_; }
     TimeStep time_step() const { return time_step_; }
     const StageTimes& stage_times() const { return stages_; }
-    const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const { return limits_; }
+    const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const {
+        return limits_;
+    }
     std::uint64_t list_builds() const { return list_builds_; }
     const NeighbourList& neighbours() const { return list_; }
     const char* instruction_set() const { return loops_.instruction_set; }

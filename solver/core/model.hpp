@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every choice a scene makes about the physics. Each ingredient is one enum or one number here, one file in physics/.
+// Every choice a scene makes about the physics. Each ingredient is one enum or one number here, one file in
+// physics/.
 #pragma once
 
 #include "solver/core/vec2.hpp"
@@ -25,24 +26,25 @@ struct Model {
 
     Mean velocity_mean = Mean::impedance_weighted;
     Mean pressure_mean = Mean::impedance_weighted;
-    double pressure_diffusion = 1;        ///< factor on the pressure jump in u*, 1 is the Riemann value
-    bool hydrostatic_correction = true;   ///< the jump counts only beyond the hydrostatic one
+    double pressure_diffusion = 1;       ///< factor on the pressure jump in u*, 1 is the Riemann value
+    bool hydrostatic_correction = true;  ///< the jump counts only beyond the hydrostatic one
     Dissipation dissipation = Dissipation::low_dissipation;
-    double dissipation_slope = 10;        ///< of the limiter min(slope du / c, 1), water with water
-    double dissipation_floor = 0;         ///< least share of the full Riemann dissipation, both signs, water with water
-    double air_dissipation = 0.03;        ///< share of the full Riemann dissipation in pairs with air
+    double dissipation_slope = 10;  ///< of the limiter min(slope du / c, 1), water with water
+    double dissipation_floor =
+        0;  ///< least share of the full Riemann dissipation, both signs, water with water
+    double air_dissipation = 0.03;  ///< share of the full Riemann dissipation in pairs with air
     Viscosity viscosity = Viscosity::none;
-    bool dissipation_switch = false;      ///< Yang et al. (2020), Eqs. (14)-(15)
+    bool dissipation_switch = false;  ///< Yang et al. (2020), Eqs. (14)-(15)
     WallSlip wall_slip = WallSlip::free;
     WallPressure wall_pressure = WallPressure::shepard_water;
     WallVelocity wall_velocity = WallVelocity::mirrored;
-    double wall_dissipation = 3;          ///< limiter slope of the wall-normal dissipation, 0 for none
-    bool tension = true;                  ///< false: density is kept at or above the reference (water without air)
+    double wall_dissipation = 3;  ///< limiter slope of the wall-normal dissipation, 0 for none
+    bool tension = true;          ///< false: density is kept at or above the reference (water without air)
 
-    double smoothing_ratio = 1.5;         ///< smoothing length / particle spacing
-    double courant_number = 0.5;          ///< of the acoustic criterion, Eq. (26) has 0.25
-    double skin = 0.2;                    ///< of the neighbour list, in smoothing lengths
-    int threads = 0;                      ///< 0: all that OpenMP offers
+    double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing
+    double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
+    double skin = 0.2;             ///< of the neighbour list, in smoothing lengths
+    int threads = 0;               ///< 0: all that OpenMP offers
 };
 
 }  // namespace wetdeck

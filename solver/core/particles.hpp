@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Storage of fluid and boundary particles.
 //
-// The pair loop reads neighbours one by one in an order that follows the geometry, so what it needs of a neighbour
-// stands together in one cache line (FluidState). What only the owner needs (rates, mass) stands in arrays beside it.
-// Fluid particles are kept sorted: water first, then air, each along the cells of the neighbour grid; `id` is stable.
+// The pair loop reads neighbours one by one in an order that follows the geometry, so what it needs of a
+// neighbour stands together in one cache line (FluidState). What only the owner needs (rates, mass) stands in
+// arrays beside it. Fluid particles are kept sorted: water first, then air, each along the cells of the
+// neighbour grid; `id` is stable.
 #pragma once
 
 #include <cstddef>
@@ -33,11 +34,11 @@ struct alignas(64) FluidState {
 /// Fluid particles: indices [0, water) are water, [water, size) air.
 struct FluidParticles {
     std::vector<FluidState> state;
-    std::vector<double> mass;                              ///< [kg/m]
-    std::vector<double> density_rate;                      ///< [kg/(m^3 s)]
-    std::vector<double> acceleration_x, acceleration_y;    ///< [m/s^2], gravity included
-    std::vector<std::uint32_t> id;                         ///< stable under sorting
-    std::size_t water = 0;                                 ///< number of water particles
+    std::vector<double> mass;                            ///< [kg/m]
+    std::vector<double> density_rate;                    ///< [kg/(m^3 s)]
+    std::vector<double> acceleration_x, acceleration_y;  ///< [m/s^2], gravity included
+    std::vector<std::uint32_t> id;                       ///< stable under sorting
+    std::size_t water = 0;                               ///< number of water particles
 
     std::size_t size() const { return state.size(); }
     Phase phase(std::size_t i) const { return i < water ? Phase::water : Phase::air; }

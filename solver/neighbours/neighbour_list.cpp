@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::size_t clusters_per_block = 32;
 
-/// Order of `keys` under a stable counting sort; `start` receives the first position of each key and an end mark.
-void counting_sort(std::span<const std::uint32_t> keys, std::size_t key_count, std::vector<std::uint32_t>& start,
-                   std::vector<std::uint32_t>& order) {
+/// Order of `keys` under a stable counting sort; `start` receives the first position of each key and an end
+/// mark.
+void counting_sort(std::span<const std::uint32_t> keys, std::size_t key_count,
+                   std::vector<std::uint32_t>& start, std::vector<std::uint32_t>& order) {
     start.assign(key_count + 1, 0);
     for (const std::uint32_t key : keys) ++start[key + 1];
     std::partial_sum(start.begin(), start.end(), start.begin());
@@ -69,7 +70,8 @@ NeighbourList::Cell NeighbourList::cell_of(double x, double y) const {
 
 void NeighbourList::place(WallParticles& walls) {
     key_.resize(walls.size());
-    for (std::size_t i = 0; i < walls.size(); ++i) key_[i] = cell_index(cell_of(walls.state[i].x, walls.state[i].y));
+    for (std::size_t i = 0; i < walls.size(); ++i)
+        key_[i] = cell_index(cell_of(walls.state[i].x, walls.state[i].y));
     counting_sort(key_, std::size_t{strips_} * rows_, wall_start_, order_);
     WallParticles sorted = walls;
     for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -80,7 +82,8 @@ void NeighbourList::place(WallParticles& walls) {
     walls = std::move(sorted);
 }
 
-void NeighbourList::build(FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops, int threads) {
+void NeighbourList::build(FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
+                          int threads) {
     sort_fluid(fluid);
     clusters_.clear();
     append_clusters(clusters_, 0, fluid.water, Phase::water);
@@ -113,8 +116,8 @@ void NeighbourList::sort_fluid(FluidParticles& fluid) {
     std::swap(sorted_.id, fluid.id);
 }
 
-void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
-                                    int threads) {
+void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParticles& walls,
+                                    const PairLoops& loops, int threads) {
     if (with_walls_own_lists_) {
         wall_clusters_.clear();
         append_clusters(wall_clusters_, 0, walls.size(), Phase::water);
@@ -156,8 +159,9 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                     const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
                     // one entry of slack: the filter writes each candidate before it knows whether to keep it
                     if (list.size() < used + (end - begin) + 1) list.resize(2 * (used + (end - begin) + 1));
-                    used += loops.filter_near(lanes, cluster.count, positions, sizeof(FluidState) / sizeof(double),
-                                              begin, end, reach_, list.data() + used);
+                    used += loops.filter_near(lanes, cluster.count, positions,
+                                              sizeof(FluidState) / sizeof(double), begin, end, reach_,
+                                              list.data() + used);
                 }
                 return static_cast<std::uint32_t>(used - before);
             };
@@ -173,19 +177,22 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                 list.data() + offsets[n - first];
         }
     }
-    std::erase_if(wall_clusters_, [](const Cluster& c) { return c.fluid_neighbours[0] + c.fluid_neighbours[1] == 0; });
+    std::erase_if(wall_clusters_,
+                  [](const Cluster& c) { return c.fluid_neighbours[0] + c.fluid_neighbours[1] == 0; });
 }
 
 std::size_t NeighbourList::entries() const {
     std::size_t sum = 0;
-    for (const Cluster& c : clusters_) sum += c.fluid_neighbours[0] + c.fluid_neighbours[1] + c.wall_neighbours;
+    for (const Cluster& c : clusters_)
+        sum += c.fluid_neighbours[0] + c.fluid_neighbours[1] + c.wall_neighbours;
     return sum;
 }
 
 std::size_t NeighbourList::bytes() const {
-    std::size_t sum = clusters_.capacity() * sizeof(Cluster) + built_.capacity() * sizeof(double) +
-                      (key_.capacity() + order_.capacity() + fluid_start_.capacity()) * sizeof(std::uint32_t) +
-                      sorted_.state.capacity() * sizeof(FluidState) + sorted_.mass.capacity() * sizeof(double);
+    std::size_t sum =
+        clusters_.capacity() * sizeof(Cluster) + built_.capacity() * sizeof(double) +
+        (key_.capacity() + order_.capacity() + fluid_start_.capacity()) * sizeof(std::uint32_t) +
+        sorted_.state.capacity() * sizeof(FluidState) + sorted_.mass.capacity() * sizeof(double);
     for (const auto& list : block_lists_) sum += list.capacity() * sizeof(std::uint32_t);
     return sum;
 }

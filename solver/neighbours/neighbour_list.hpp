@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clusters of adjacent particles and their common neighbours.
 //
-// A grid of cells two spacings wide and one high, numbered strip by strip, serves twice: fluid particles sorted along it
-// make compact clusters (about 2 x 4 particles), and the candidates of a cluster are one contiguous run per strip.
-// The list holds every pair closer than the kernel's support plus a skin. It stays complete while no particle has moved
-// further than half the skin since it was built: two particles can then have come closer by no more than the skin.
+// A grid of cells two spacings wide and one high, numbered strip by strip, serves twice: fluid particles
+// sorted along it make compact clusters (about 2 x 4 particles), and the candidates of a cluster are one
+// contiguous run per strip. The list holds every pair closer than the kernel's support plus a skin. It stays
+// complete while no particle has moved further than half the skin since it was built: two particles can then
+// have come closer by no more than the skin.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,8 @@ class NeighbourList {
   public:
     /// @param domain  where particles are expected [m]; those outside are still found, only more slowly
     /// @param with_walls_own_lists  also list the fluid around each boundary particle (Shepard pressure)
-    NeighbourList(Box domain, double particle_spacing, double support_radius, double skin, bool with_walls_own_lists);
+    NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
+                  bool with_walls_own_lists);
 
     /// Sorts boundary particles along the grid. Needed once, before the first build, and after they moved.
     void place(WallParticles& walls);
@@ -47,7 +49,8 @@ class NeighbourList {
     Cell cell_of(double x, double y) const;
     std::uint32_t cell_index(Cell cell) const { return cell.strip * rows_ + cell.row; }
     void sort_fluid(FluidParticles& fluid);
-    void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops, int threads);
+    void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
+                         int threads);
 
     Vec2 origin_;
     double cell_width_, cell_height_;
@@ -61,7 +64,7 @@ class NeighbourList {
     std::vector<std::vector<std::uint32_t>> block_lists_;  ///< neighbour indices of a block of clusters
     std::vector<double> built_;                            ///< x, y of each fluid particle at the last build
     std::vector<std::uint32_t> key_, order_;
-    FluidParticles sorted_;                                ///< scratch of the sort, kept to avoid allocation
+    FluidParticles sorted_;  ///< scratch of the sort, kept to avoid allocation
 };
 
 }  // namespace wetdeck

@@ -7,15 +7,20 @@
 namespace wetdeck {
 namespace {
 
-const Material& material(const Model& model, Phase phase) { return phase == Phase::water ? model.water : model.air; }
+const Material& material(const Model& model, Phase phase) {
+    return phase == Phase::water ? model.water : model.air;
+}
 
 /// Weights of left and right in a mean of velocities: the heavier, the more.
 MeanWeights velocity_weights(Mean mean, const Material& left, const Material& right) {
     switch (mean) {
-        case Mean::density_weighted: return weights_by(left.eos.reference_density, right.eos.reference_density);
-        case Mean::impedance_weighted: return weights_by(left.impedance(), right.impedance());
+        case Mean::density_weighted:
+            return weights_by(left.eos.reference_density, right.eos.reference_density);
+        case Mean::impedance_weighted:
+            return weights_by(left.impedance(), right.impedance());
         case Mean::arithmetic:
-        case Mean::harmonic: break;
+        case Mean::harmonic:
+            break;
     }
     return {};
 }
@@ -26,7 +31,9 @@ MeanWeights pressure_weights(Mean mean, const Material& left, const Material& ri
     return {w.right, w.left};
 }
 
-double lowest_viscous_jump(Viscosity form) { return form == Viscosity::symmetric ? -1e300 : 0; }
+double lowest_viscous_jump(Viscosity form) {
+    return form == Viscosity::symmetric ? -1e300 : 0;
+}
 
 }  // namespace
 
@@ -36,11 +43,13 @@ PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, 
     const double impedance = harmonic_mean(l.impedance(), r.impedance());
     PairCoefficients c;
     c.weight_right = velocity_weights(model.velocity_mean, l, r).right;
-    // The paper's harmonic mean of rho c gives (Z_l + Z_r) / (4 Z_l Z_r); with impedance weights 1 / (Z_l + Z_r) is exact.
-    c.mobility = model.pressure_diffusion *
-                 (model.velocity_mean == Mean::harmonic ? 0.5 / impedance : 1 / (l.impedance() + r.impedance()));
-    // Half the way from water to air is through either: the surface of a still column then leaks half as fast as with a
-    // harmonic mean.
+    // The paper's harmonic mean of rho c gives (Z_l + Z_r) / (4 Z_l Z_r); with impedance weights 1 / (Z_l +
+    // Z_r) is exact.
+    c.mobility =
+        model.pressure_diffusion *
+        (model.velocity_mean == Mean::harmonic ? 0.5 / impedance : 1 / (l.impedance() + r.impedance()));
+    // Half the way from water to air is through either: the surface of a still column then leaks half as fast
+    // as with a harmonic mean.
     c.hydrostatic_density = 0.5 * (l.eos.reference_density + r.eos.reference_density);
     const MeanWeights p = pressure_weights(model.pressure_mean, l, r);
     c.pressure_weight_left = p.left;
@@ -56,7 +65,8 @@ PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, 
         c.limiter.floor = model.dissipation_floor;
     }
     if (l.viscosity > 0 && r.viscosity > 0) {
-        c.viscosity = viscosity_lambda(model.viscosity) * harmonic_mean(l.viscosity, r.viscosity) / smoothing_length;
+        c.viscosity =
+            viscosity_lambda(model.viscosity) * harmonic_mean(l.viscosity, r.viscosity) / smoothing_length;
     }
     c.lowest_viscous_jump = lowest_viscous_jump(model.viscosity);
     c.half_density = 0.5 * harmonic_mean(l.eos.reference_density, r.eos.reference_density);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight doubles that are computed on together. Included only by the translation units of the pair loop, which are compiled
-// once per instruction set: WETDECK_ISA names the namespace, so that no symbol of one set is linked into another.
+// Eight doubles that are computed on together. Included only by the translation units of the pair loop, which
+// are compiled once per instruction set: WETDECK_ISA names the namespace, so that no symbol of one set is
+// linked into another.
 #pragma once
 
 #include <immintrin.h>
@@ -27,20 +28,44 @@ struct Pack {
 
 #define WETDECK_INLINE [[gnu::always_inline]] inline
 
-WETDECK_INLINE Pack operator+(Pack a, Pack b) { return a.lanes + b.lanes; }
-WETDECK_INLINE Pack operator-(Pack a, Pack b) { return a.lanes - b.lanes; }
-WETDECK_INLINE Pack operator-(Pack a) { return -a.lanes; }
-WETDECK_INLINE Pack operator*(Pack a, Pack b) { return a.lanes * b.lanes; }
-WETDECK_INLINE Pack operator/(Pack a, Pack b) { return a.lanes / b.lanes; }
-WETDECK_INLINE Pack& operator+=(Pack& a, Pack b) { return a = a + b; }
-WETDECK_INLINE Pack::Mask operator>(Pack a, Pack b) { return {a.lanes > b.lanes}; }
-WETDECK_INLINE Pack::Mask operator<(Pack a, Pack b) { return {a.lanes < b.lanes}; }
-WETDECK_INLINE Pack::Mask operator|(Pack::Mask a, Pack::Mask b) { return {a.lanes | b.lanes}; }
-WETDECK_INLINE Pack select(Pack::Mask m, Pack a, Pack b) { return m.lanes ? a.lanes : b.lanes; }
+WETDECK_INLINE Pack operator+(Pack a, Pack b) {
+    return a.lanes + b.lanes;
+}
+WETDECK_INLINE Pack operator-(Pack a, Pack b) {
+    return a.lanes - b.lanes;
+}
+WETDECK_INLINE Pack operator-(Pack a) {
+    return -a.lanes;
+}
+WETDECK_INLINE Pack operator*(Pack a, Pack b) {
+    return a.lanes * b.lanes;
+}
+WETDECK_INLINE Pack operator/(Pack a, Pack b) {
+    return a.lanes / b.lanes;
+}
+WETDECK_INLINE Pack& operator+=(Pack& a, Pack b) {
+    return a = a + b;
+}
+WETDECK_INLINE Pack::Mask operator>(Pack a, Pack b) {
+    return {a.lanes > b.lanes};
+}
+WETDECK_INLINE Pack::Mask operator<(Pack a, Pack b) {
+    return {a.lanes < b.lanes};
+}
+WETDECK_INLINE Pack::Mask operator|(Pack::Mask a, Pack::Mask b) {
+    return {a.lanes | b.lanes};
+}
+WETDECK_INLINE Pack select(Pack::Mask m, Pack a, Pack b) {
+    return m.lanes ? a.lanes : b.lanes;
+}
 
 #if defined(__AVX512F__)
-WETDECK_INLINE Pack maximum(Pack a, Pack b) { return Pack::Lanes(_mm512_max_pd(__m512d(a.lanes), __m512d(b.lanes))); }
-WETDECK_INLINE Pack minimum(Pack a, Pack b) { return Pack::Lanes(_mm512_min_pd(__m512d(a.lanes), __m512d(b.lanes))); }
+WETDECK_INLINE Pack maximum(Pack a, Pack b) {
+    return Pack::Lanes(_mm512_max_pd(__m512d(a.lanes), __m512d(b.lanes)));
+}
+WETDECK_INLINE Pack minimum(Pack a, Pack b) {
+    return Pack::Lanes(_mm512_min_pd(__m512d(a.lanes), __m512d(b.lanes)));
+}
 /// 1/sqrt(x) for x > 0: the 14-bit estimate and two Newton steps.
 WETDECK_INLINE Pack inverse_sqrt(Pack x) {
     Pack y = Pack::Lanes(_mm512_rsqrt14_pd(__m512d(x.lanes)));
@@ -49,8 +74,12 @@ WETDECK_INLINE Pack inverse_sqrt(Pack x) {
     return y * (1.5 - half * y * y);
 }
 #else
-WETDECK_INLINE Pack maximum(Pack a, Pack b) { return a.lanes > b.lanes ? a.lanes : b.lanes; }
-WETDECK_INLINE Pack minimum(Pack a, Pack b) { return a.lanes < b.lanes ? a.lanes : b.lanes; }
+WETDECK_INLINE Pack maximum(Pack a, Pack b) {
+    return a.lanes > b.lanes ? a.lanes : b.lanes;
+}
+WETDECK_INLINE Pack minimum(Pack a, Pack b) {
+    return a.lanes < b.lanes ? a.lanes : b.lanes;
+}
 WETDECK_INLINE Pack inverse_sqrt(Pack x) {
     Pack root;
     for (int lane = 0; lane < pack_width; ++lane) root.lanes[lane] = std::sqrt(x.lanes[lane]);
@@ -64,6 +93,8 @@ WETDECK_INLINE bool any(Pack::Mask m) {
     return bits != 0;
 }
 
-WETDECK_INLINE Pack positive_part(Pack a) { return maximum(a, 0.0); }
+WETDECK_INLINE Pack positive_part(Pack a) {
+    return maximum(a, 0.0);
+}
 
 }  // namespace wetdeck::WETDECK_ISA

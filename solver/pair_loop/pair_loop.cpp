@@ -16,20 +16,22 @@ PairLoops pair_loops(const Model& model, const char* instruction_set) {
         PairLoops (*choose)(const Model&);
     };
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    const bool has_avx512 =
-        __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                            __builtin_cpu_supports("avx512vl");
     const Choice best_first[] = {{"avx512", has_avx512, avx512::choose_pair_loops},
                                  {"avx2", has_avx2, avx2::choose_pair_loops},
                                  {"sse2", true, sse2::choose_pair_loops}};
     if (!instruction_set) instruction_set = std::getenv("WETDECK_SIMD");
     for (const Choice& choice : best_first) {
         if (instruction_set ? std::string(instruction_set) != choice.name : !choice.supported) continue;
-        if (!choice.supported) throw InputError(std::string("this processor does not support ") + choice.name);
+        if (!choice.supported)
+            throw InputError(std::string("this processor does not support ") + choice.name);
         PairLoops loops = choice.choose(model);
         loops.instruction_set = choice.name;
         return loops;
     }
-    throw InputError("unknown instruction set '" + std::string(instruction_set) + "', expected sse2, avx2 or avx512");
+    throw InputError("unknown instruction set '" + std::string(instruction_set) +
+                     "', expected sse2, avx2 or avx512");
 }
 
 }  // namespace wetdeck

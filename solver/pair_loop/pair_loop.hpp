@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The loops over pairs of particles, where the time goes, behind one table of functions per instruction set.
 //
-// Eight particles that are neighbours in space and of one phase form a cluster; they sit in registers while their common
-// neighbours are loaded one by one and broadcast. Each particle sums over all its neighbours itself: a pair is computed
-// from both sides, no two threads write the same place, and the order of every sum is fixed by the list alone. Results
-// are therefore the same bits for any number of threads.
+// Eight particles that are neighbours in space and of one phase form a cluster; they sit in registers while
+// their common neighbours are loaded one by one and broadcast. Each particle sums over all its neighbours
+// itself: a pair is computed from both sides, no two threads write the same place, and the order of every sum
+// is fixed by the list alone. Results are therefore the same bits for any number of threads.
 #pragma once
 
 #include <array>
@@ -19,10 +19,11 @@ namespace wetdeck {
 
 inline constexpr std::uint32_t cluster_width = 8;
 
-/// Eight (or, at the end of a phase, fewer) adjacent particles of one phase and their common neighbours, by kind.
+/// Eight (or, at the end of a phase, fewer) adjacent particles of one phase and their common neighbours, by
+/// kind.
 struct Cluster {
-    std::uint32_t first = 0;    ///< index of the first particle
-    std::uint32_t count = 0;    ///< 1..8
+    std::uint32_t first = 0;  ///< index of the first particle
+    std::uint32_t count = 0;  ///< 1..8
     Phase phase = Phase::water;
     const std::uint32_t* neighbours = nullptr;  ///< water, then air, then wall indices
     std::array<std::uint32_t, phase_count> fluid_neighbours{};
@@ -31,14 +32,14 @@ struct Cluster {
 
 /// Coefficients of the formulas in physics/ for one ordered pair of phases.
 struct PairCoefficients {
-    double weight_right = 0.5;            ///< of u_R in the velocity mean
-    double mobility = 0;                  ///< pressure_diffusion / (2 mean(rho c))
-    double hydrostatic_density = 0;       ///< of the hydrostatic part of the pressure jump
+    double weight_right = 0.5;       ///< of u_R in the velocity mean
+    double mobility = 0;             ///< pressure_diffusion / (2 mean(rho c))
+    double hydrostatic_density = 0;  ///< of the hydrostatic part of the pressure jump
     double pressure_weight_left = 0.5, pressure_weight_right = 0.5;
     DissipationLimiter limiter;
-    double viscosity = 0;                 ///< lambda mu_ij / h [Pa s/m]
-    double lowest_viscous_jump = 0;       ///< 0: only approaching pairs; very negative: both signs
-    double half_density = 0;              ///< rho_ij / 2 of the switch dissipation
+    double viscosity = 0;            ///< lambda mu_ij / h [Pa s/m]
+    double lowest_viscous_jump = 0;  ///< 0: only approaching pairs; very negative: both signs
+    double half_density = 0;         ///< rho_ij / 2 of the switch dissipation
 };
 
 struct WallCoefficients {
@@ -78,8 +79,9 @@ struct PairLoops {
     Pass density_rates = nullptr;
     Pass accelerations = nullptr;
     /// Sets density from its rate, then volume and pressure, for particles [first, last).
-    void (*advance_density)(FluidState*, const double* rate, const double* mass, std::size_t first, std::size_t last,
-                            double dt, const TaitEquationOfState&, double lowest_density, int threads) = nullptr;
+    void (*advance_density)(FluidState*, const double* rate, const double* mass, std::size_t first,
+                            std::size_t last, double dt, const TaitEquationOfState&, double lowest_density,
+                            int threads) = nullptr;
     /// Appends to `out` the candidates within `reach` of any of the `count` points.
     std::uint32_t (*filter_near)(const FluidState* cluster, std::uint32_t count, const double* candidate_x_y,
                                  std::size_t stride, std::uint32_t begin, std::uint32_t end, double reach,
@@ -87,7 +89,8 @@ struct PairLoops {
 };
 
 /// The loops for the best instruction set of this processor, or for the one named ("sse2", "avx2", "avx512").
-/// The environment variable WETDECK_SIMD names one too. Throws InputError if it is unknown or not supported here.
+/// The environment variable WETDECK_SIMD names one too. Throws InputError if it is unknown or not supported
+/// here.
 PairLoops pair_loops(const Model& model, const char* instruction_set = nullptr);
 
 /// Coefficients of every ordered pair of phases under a model.

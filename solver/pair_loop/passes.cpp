@@ -10,7 +10,8 @@
 namespace wetdeck::WETDECK_ISA {
 namespace {
 
-/// The particles of a cluster, one per lane. Lanes beyond its count hold particles that are computed and not stored.
+/// The particles of a cluster, one per lane. Lanes beyond its count hold particles that are computed and not
+/// stored.
 struct Lanes {
     Pack x, y, vx, vy, pressure, density, impact;
 };
@@ -39,7 +40,8 @@ struct Separation {
     Pack x, y, distance, inverse_distance;
 };
 
-/// A particle meets itself in its own list; the smallest distance keeps 1/r finite there, where all else is zero.
+/// A particle meets itself in its own list; the smallest distance keeps 1/r finite there, where all else is
+/// zero.
 WETDECK_INLINE Separation separation(const Lanes& i, double x, double y) {
     constexpr double least_squared_distance = 1e-60;
     Separation s;
@@ -51,11 +53,12 @@ WETDECK_INLINE Separation separation(const Lanes& i, double x, double y) {
     return s;
 }
 
-// --- continuity: d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*), Eq. (12) -----------------------------------------------
+// --- continuity: d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*), Eq. (12)
+// -----------------------------------------------
 
 template <bool harmonic, bool hydrostatic>
-WETDECK_INLINE Pack density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours, std::uint32_t count,
-                                const PairCoefficients& c) {
+WETDECK_INLINE Pack density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
+                                std::uint32_t count, const PairCoefficients& c) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
     Pack sum = 0.0;
@@ -80,13 +83,15 @@ WETDECK_INLINE Pack density_sum(const PassInput& in, const Lanes& i, const std::
     return sum;
 }
 
-/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump. Where it is
-/// mirrored it moves along its face with the water around it.
+/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump.
+/// Where it is mirrored it moves along its face with the water around it.
 template <bool mirrored>
-Pack wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours, std::uint32_t count) {
+Pack wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
+                      std::uint32_t count) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     Pack sum = 0.0, stretching = 0.0;
-    Pack nearest = 1 / inverse_h;  // height above the first layer of dummy particles, half a spacing behind the face
+    Pack nearest =
+        1 / inverse_h;  // height above the first layer of dummy particles, half a spacing behind the face
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
         const Separation s = separation(i, w.x, w.y);
@@ -130,7 +135,8 @@ void density_rates(const PassInput& in) {
     }
 }
 
-// --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, Eq. (19) -------------------------
+// --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, Eq. (19)
+// -------------------------
 
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
@@ -148,7 +154,8 @@ void wall_means(const PassInput& in) {
             drive_y.lanes[lane] = particle.ay - in.gravity.y();
         }
         Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0;
-        const std::uint32_t count = cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
+        const std::uint32_t count =
+            cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
         for (std::uint32_t k = 0; k < count; ++k) {
             const FluidState& f = in.fluid[cluster.neighbours[k]];
             const Separation s = separation(w, f.x, f.y);
@@ -167,7 +174,8 @@ void wall_means(const PassInput& in) {
     }
 }
 
-// --- momentum: dv_i/dt = (2/rho_i) SUM_j V_j P* F r_ij / r + g, Eq. (12) ----------------------------------------------
+// --- momentum: dv_i/dt = (2/rho_i) SUM_j V_j P* F r_ij / r + g, Eq. (12)
+// ----------------------------------------------
 
 struct VectorSum {
     Pack x = 0.0, y = 0.0;
@@ -184,7 +192,8 @@ WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std:
         if constexpr (harmonic) {
             p_star = guarded_harmonic_mean(i.pressure, Pack(j.pressure), in.pressure_guard);
         } else {
-            p_star = weighted_pressure(i.pressure, Pack(j.pressure), c.pressure_weight_left, c.pressure_weight_right);
+            p_star = weighted_pressure(i.pressure, Pack(j.pressure), c.pressure_weight_left,
+                                       c.pressure_weight_right);
         }
         if constexpr (dissipative || viscous || switched) {
             const Pack jump = ((j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y) * s.inverse_distance;
@@ -204,7 +213,7 @@ WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std:
 
 template <bool no_slip, bool shepard>
 void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                      std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
+                       std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     VectorSum wall;
     for (std::uint32_t n = 0; n < count; ++n) {
@@ -214,7 +223,8 @@ void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t*
         if constexpr (shepard) {
             p_right = in.wall_mean[neighbours[n]].pressure;
         } else {
-            p_right = one_sided_pressure(i.pressure, i.density, s.x, s.y, w.ax - in.gravity.x(), w.ay - in.gravity.y());
+            p_right = one_sided_pressure(i.pressure, i.density, s.x, s.y, w.ax - in.gravity.x(),
+                                         w.ay - in.gravity.y());
         }
         const Pack approach = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
         Pack p_star = 0.5 * (i.pressure + p_right) + riemann_dissipation(approach, c.limiter);
@@ -242,8 +252,8 @@ void accelerations(const PassInput& in) {
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             const std::uint32_t count = cluster.fluid_neighbours[phase];
-            momentum_sum<harmonic, dissipative, viscous, switched>(in, i, neighbours, count, in.pair[phase_i][phase],
-                                                                   sum);
+            momentum_sum<harmonic, dissipative, viscous, switched>(in, i, neighbours, count,
+                                                                   in.pair[phase_i][phase], sum);
             neighbours += count;
         }
         const bool shepard = in.wall_pressure_mean[phase_i];
@@ -255,11 +265,13 @@ void accelerations(const PassInput& in) {
     }
 }
 
-// --- density and equation of state -----------------------------------------------------------------------------------
+// --- density and equation of state
+// -----------------------------------------------------------------------------------
 
 template <class Power>
-void advance_phase(FluidState* state, const double* rate, const double* mass, std::size_t first, std::size_t last,
-                   double dt, const TaitEquationOfState& eos, double lowest_density, int threads, Power power) {
+void advance_phase(FluidState* state, const double* rate, const double* mass, std::size_t first,
+                   std::size_t last, double dt, const TaitEquationOfState& eos, double lowest_density,
+                   int threads, Power power) {
     const auto blocks = static_cast<std::int64_t>((last - first + cluster_width - 1) / cluster_width);
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t block = 0; block < blocks; ++block) {
@@ -281,8 +293,9 @@ void advance_phase(FluidState* state, const double* rate, const double* mass, st
     }
 }
 
-void advance_density(FluidState* state, const double* rate, const double* mass, std::size_t first, std::size_t last,
-                     double dt, const TaitEquationOfState& eos, double lowest_density, int threads) {
+void advance_density(FluidState* state, const double* rate, const double* mass, std::size_t first,
+                     std::size_t last, double dt, const TaitEquationOfState& eos, double lowest_density,
+                     int threads) {
     const auto advance = [&](auto power) {
         advance_phase(state, rate, mass, first, last, dt, eos, lowest_density, threads, power);
     };
@@ -292,16 +305,19 @@ void advance_density(FluidState* state, const double* rate, const double* mass, 
         advance([](Pack x) { return power_seven_fifths(x); });
     } else {
         advance([&eos](Pack x) {
-            for (int lane = 0; lane < pack_width; ++lane) x.lanes[lane] = std::pow(x.lanes[lane], eos.exponent);
+            for (int lane = 0; lane < pack_width; ++lane)
+                x.lanes[lane] = std::pow(x.lanes[lane], eos.exponent);
             return x;
         });
     }
 }
 
-// --- neighbour list --------------------------------------------------------------------------------------------------
+// --- neighbour list
+// --------------------------------------------------------------------------------------------------
 
-std::uint32_t filter_near(const FluidState* cluster, std::uint32_t count, const double* candidates, std::size_t stride,
-                          std::uint32_t begin, std::uint32_t end, double reach, std::uint32_t* out) {
+std::uint32_t filter_near(const FluidState* cluster, std::uint32_t count, const double* candidates,
+                          std::size_t stride, std::uint32_t begin, std::uint32_t end, double reach,
+                          std::uint32_t* out) {
     const Lanes i = load(cluster, 0, count);
     const Pack reach2 = reach * reach;
     std::uint32_t found = 0;
@@ -315,7 +331,8 @@ std::uint32_t filter_near(const FluidState* cluster, std::uint32_t count, const 
     return found;
 }
 
-// --- choice of the passes, once per run ------------------------------------------------------------------------------
+// --- choice of the passes, once per run
+// ------------------------------------------------------------------------------
 
 /// Calls f with one std::bool_constant per flag: run-time choices become template arguments.
 template <class F>
@@ -333,18 +350,17 @@ auto with_flags(F f, bool flag, Rest... rest) {
 PairLoops choose_pair_loops(const Model& model) {
     PairLoops loops;
     loops.wall_means = wall_means;
-    loops.density_rates = with_flags(
-        [](auto harmonic, auto hydrostatic, auto mirrored) -> Pass {
-            return density_rates<harmonic, hydrostatic, mirrored>;
-        },
-        model.velocity_mean == Mean::harmonic, model.hydrostatic_correction,
-        model.wall_velocity == WallVelocity::mirrored);
+    loops.density_rates =
+        with_flags([](auto harmonic, auto hydrostatic,
+                      auto mirrored) -> Pass { return density_rates<harmonic, hydrostatic, mirrored>; },
+                   model.velocity_mean == Mean::harmonic, model.hydrostatic_correction,
+                   model.wall_velocity == WallVelocity::mirrored);
     loops.accelerations = with_flags(
         [](auto harmonic, auto dissipative, auto viscous, auto switched, auto no_slip) -> Pass {
             return accelerations<harmonic, dissipative, viscous, switched, no_slip>;
         },
-        model.pressure_mean == Mean::harmonic, model.dissipation != Dissipation::none, model.viscosity != Viscosity::none,
-        model.dissipation_switch, model.wall_slip == WallSlip::no);
+        model.pressure_mean == Mean::harmonic, model.dissipation != Dissipation::none,
+        model.viscosity != Viscosity::none, model.dissipation_switch, model.wall_slip == WallSlip::no);
     loops.advance_density = advance_density;
     loops.filter_near = filter_near;
     return loops;

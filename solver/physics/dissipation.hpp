@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Riemann dissipation: what the intermediate pressure gains from the velocity jump du = u_L - u_R, Yang et al. (2020),
-// Eq. (10), with the limiter of Zhang, Hu and Adams (2017):
+// Riemann dissipation: what the intermediate pressure gains from the velocity jump du = u_L - u_R, Yang et
+// al. (2020), Eq. (10), with the limiter of Zhang, Hu and Adams (2017):
 //     D = 1/2 Z beta du,   beta = clamp(slope du / c, floor, 1)
-// slope 3, floor 0: low dissipation (only approaching pairs, in proportion to the jump). floor 1: the full Riemann
-// value for both signs. floor 0.1, slope 0: a tenth of it for both signs, as pairs with air need.
+// slope 3, floor 0: low dissipation (only approaching pairs, in proportion to the jump). floor 1: the full
+// Riemann value for both signs. floor 0.1, slope 0: a tenth of it for both signs, as pairs with air need.
 //
-// The switch adds 1/2 rho |u_mean| du where the pressure convection rate grad(p).v exceeds rho g v_max, Eqs. (14)-(15).
+// The switch adds 1/2 rho |u_mean| du where the pressure convection rate grad(p).v exceeds rho g v_max, Eqs.
+// (14)-(15).
 #pragma once
 
 #include "solver/physics/interparticle_mean.hpp"
@@ -15,15 +16,16 @@ namespace wetdeck {
 enum class Dissipation { none, riemann, low_dissipation };
 
 struct DissipationLimiter {
-    double half_impedance = 0;      ///< Z/2 [kg/(m^2 s)]
-    double slope_over_speed = 0;    ///< slope / c [s/m]
+    double half_impedance = 0;    ///< Z/2 [kg/(m^2 s)]
+    double slope_over_speed = 0;  ///< slope / c [s/m]
     double floor = 0;
 };
 
 /// D [Pa]
 template <class Real, class Limiter>
 Real riemann_dissipation(Real velocity_jump, const Limiter& limiter) {
-    const Real beta = minimum(maximum(limiter.slope_over_speed * velocity_jump, Real(limiter.floor)), Real(1.0));
+    const Real beta =
+        minimum(maximum(limiter.slope_over_speed * velocity_jump, Real(limiter.floor)), Real(1.0));
     return limiter.half_impedance * beta * velocity_jump;
 }
 

@@ -22,7 +22,8 @@ struct TaitEquationOfState {
     }
 
     double density(double pressure) const {
-        return reference_density * std::pow((pressure - background_pressure) / coefficient() + 1, 1 / exponent);
+        return reference_density *
+               std::pow((pressure - background_pressure) / coefficient() + 1, 1 / exponent);
     }
 
     /// Elastic energy per mass against the reference state [J/kg]: integral of (p - p0)/rho^2 d(rho).
@@ -34,12 +35,13 @@ struct TaitEquationOfState {
 };
 
 /// Sound speed of the second phase when both phases share the coefficient rho0 c^2 / gamma [m/s].
-inline double equal_coefficient_sound_speed(const TaitEquationOfState& first, double reference_density, double exponent) {
+inline double equal_coefficient_sound_speed(const TaitEquationOfState& first, double reference_density,
+                                            double exponent) {
     return std::sqrt(first.coefficient() * exponent / reference_density);
 }
 
-/// x^gamma for the two exponents in use, by multiplications alone: gamma = 7 (water) and 7/5 (air). The fifth root is
-/// found by Newton's method from its expansion about 1; six steps reach rounding for 0.2 < x < 4.
+/// x^gamma for the two exponents in use, by multiplications alone: gamma = 7 (water) and 7/5 (air). The fifth
+/// root is found by Newton's method from an approximant about 1; six steps reach rounding for 0.2 < x < 4.
 template <class Real>
 Real power_seven(Real x) {
     const Real x2 = x * x;
@@ -49,7 +51,7 @@ Real power_seven(Real x) {
 template <class Real>
 Real power_seven_fifths(Real x) {
     const Real square = x * x;
-    Real root = 0.8 + 0.2 * square;
+    Real root = (0.8 + 1.2 * square) / (1.2 + 0.8 * square);  // Pade's approximant of the fifth root
     for (int step = 0; step < 6; ++step) {
         const Real root2 = root * root;
         root = 0.8 * root + 0.2 * (square / (root2 * root2));

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The linearised Riemann problem between two particles, Yang et al. (2020), Eq. (10), along e from left (i) to right (j):
+// The linearised Riemann problem between two particles, Yang et al. (2020), Eq. (10), along e from left (i)
+// to right (j):
 //     u* = mean(u_L, u_R) + (P_L - P_R) / (2 mean(rho c)),   P* = mean(P_L, P_R) + dissipation
 // With impedance weights these are the exact acoustic states of two materials:
-//     u* = (Z_L u_L + Z_R u_R + P_L - P_R) / (Z_L + Z_R),    P* = (Z_R P_L + Z_L P_R + Z_L Z_R (u_L - u_R)) / (Z_L + Z_R)
-// The jump in u* diffuses density. Only its part beyond the hydrostatic one may do so, else a still column inflates.
+//     u* = (Z_L u_L + Z_R u_R + P_L - P_R) / (Z_L + Z_R),    P* = (Z_R P_L + Z_L P_R + Z_L Z_R (u_L - u_R)) /
+//     (Z_L + Z_R)
+// The jump in u* diffuses density. Only its part beyond the hydrostatic one may do so, else a still column
+// inflates.
 #pragma once
 
 #include "solver/physics/interparticle_mean.hpp"

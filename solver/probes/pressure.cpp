@@ -27,7 +27,8 @@ void WallPressureProbe::check(double particle_spacing) const {
     if (diameter_ >= particle_spacing * (1 - 1e-9)) return;
     char text[160];
     std::snprintf(text, sizeof text,
-                  "a pressure gauge of %.4g m is smaller than the particle spacing %.4g m: too few particles to average",
+                  "a pressure gauge of %.4g m is smaller than the particle spacing %.4g m: too few particles "
+                  "to average",
                   diameter_, particle_spacing);
     throw InputError(text);
 }
@@ -39,7 +40,8 @@ double WallPressureProbe::sample(const Simulation& simulation) const {
     const FluidParticles& fluid = simulation.fluid();
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const FluidState& p = fluid.state[i];
-        if (std::abs(p.x - centre_.x()) > reach || std::abs(p.y - centre_.y()) > reach + 0.5 * diameter_) continue;
+        if (std::abs(p.x - centre_.x()) > reach || std::abs(p.y - centre_.y()) > reach + 0.5 * diameter_)
+            continue;
         const Model& model = simulation.model();
         const TaitEquationOfState& eos = fluid.phase(i) == Phase::water ? model.water.eos : model.air.eos;
         for (std::size_t k = 0; k < height_count; ++k) {

@@ -7,15 +7,18 @@
 
 namespace wetdeck {
 
-
-/// Gauge pressure [Pa] in a column of water just after its gate is gone, Yang et al. (2020), Eq. (27), after Greco (2001):
-///     p = rho g (h - y) - (8 rho g h / pi^2) SUM_n (2n+1)^-2 exp(-k_n d) cos(k_n y),   k_n = (2n+1) pi / (2h)
-/// with d >= 0 the distance to the released face and y the height above the bed. Zero on the face and on the surface.
+/// Gauge pressure [Pa] in a column of water just after its gate is gone, Yang et al. (2020), Eq. (27), after
+/// Greco (2001):
+///     p = rho g (h - y) - (8 rho g h / pi^2) SUM_n (2n+1)^-2 exp(-k_n d) cos(k_n y),   k_n = (2n+1) pi /
+///     (2h)
+/// with d >= 0 the distance to the released face and y the height above the bed. Zero on the face and on the
+/// surface.
 double greco_pressure(double density, double gravity, double height, double distance_to_face, double y);
 
-/// Sets each particle's density so that its pressure is gauge + background. The volume stays and the mass follows: compressed
-/// fluid on an even lattice is heavier. With equal masses the lattice would be too wide for its density, and settle: a still column
-/// then reads 2.1 % too high at depth and loses 0.6 % of its energy by T = 8, instead of 1.0 % and 0.2 %.
+/// Sets each particle's density so that its pressure is gauge + background. The volume stays and the mass
+/// follows: compressed fluid on an even lattice is heavier. With equal masses the lattice would be too wide
+/// for its density, and settle: a still column then reads 2.1 % too high at depth and loses 0.6 % of its
+/// energy by T = 8, instead of 1.0 % and 0.2 %.
 /// @param gauge  gauge pressure at a position [Pa]
 template <class GaugePressure>
 void set_initial_pressure(FluidParticles& fluid, const Model& model, GaugePressure gauge) {

@@ -32,7 +32,8 @@ void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_sp
         const int fewer = std::max(1, static_cast<int>(side / particle_spacing));
         char text[200];
         std::snprintf(text, sizeof text,
-                      "particle spacing %.6g m does not fit the side of %.6g m (%.2f particles); the nearest that do are "
+                      "particle spacing %.6g m does not fit the side of %.6g m (%.2f particles); the nearest "
+                      "that do are "
                       "%.6g and %.6g m",
                       particle_spacing, side, side / particle_spacing, side / fewer, side / (fewer + 1));
         throw InputError(text);
@@ -53,14 +54,16 @@ WallParticles tank_walls(Box tank, double particle_spacing, double support_radiu
     WallParticles walls;
     const auto coordinate = [&](int index, const Axis& axis, double low) {
         if (index < 0) return low + (index + 0.5) * particle_spacing;
-        if (index >= axis.count) return low + axis.count * axis.spacing + (index - axis.count + 0.5) * particle_spacing;
+        if (index >= axis.count)
+            return low + axis.count * axis.spacing + (index - axis.count + 0.5) * particle_spacing;
         return low + (index + 0.5) * axis.spacing;
     };
     for (int column = -layers; column < along_x.count + layers; ++column) {
         for (int row = -layers; row < along_y.count + layers; ++row) {
             const bool inside = column >= 0 && column < along_x.count && row >= 0 && row < along_y.count;
             if (inside) continue;
-            const Vec2 position(coordinate(column, along_x, tank.low.x()), coordinate(row, along_y, tank.low.y()));
+            const Vec2 position(coordinate(column, along_x, tank.low.x()),
+                                coordinate(row, along_y, tank.low.y()));
             const Vec2 nearest = position.cwiseMax(tank.low).cwiseMin(tank.high);
             walls.add(position, (nearest - position).normalized());
         }

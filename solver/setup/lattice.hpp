@@ -7,12 +7,13 @@
 
 namespace wetdeck {
 
-/// Fills `region` with particles of `phase` at rest, on a lattice that fits it: the spacing of each axis is the side over a
-/// whole number, and masses are exact. Throws InputError where that differs from `particle_spacing` by more than 2 %.
+/// Fills `region` with particles of `phase` at rest, on a lattice that fits it: the spacing of each axis is
+/// the side over a whole number, and masses are exact. Throws InputError where that differs from
+/// `particle_spacing` by more than 2 %.
 void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_spacing, double density);
 
-/// Layers of dummy particles around the inside of `tank`, as many as the kernel's support needs, the first half a
-/// spacing behind the face. Corner particles have the normal towards the corner.
+/// Layers of dummy particles around the inside of `tank`, as many as the kernel's support needs, the first
+/// half a spacing behind the face. Corner particles have the normal towards the corner.
 WallParticles tank_walls(Box tank, double particle_spacing, double support_radius);
 
 }  // namespace wetdeck

@@ -6,8 +6,8 @@
 
 namespace wetdeck {
 
-TimeStep stable_time_step(const Model& model, double smoothing_length, const std::array<double, phase_count>& fastest,
-                          bool has_water, bool has_air) {
+TimeStep stable_time_step(const Model& model, double smoothing_length,
+                          const std::array<double, phase_count>& fastest, bool has_water, bool has_air) {
     const double h = smoothing_length;
     TimeStep step{std::numeric_limits<double>::infinity(), LimitingCriterion::force};
     const auto limit = [&step](double size, LimitingCriterion criterion) {
@@ -16,7 +16,8 @@ TimeStep stable_time_step(const Model& model, double smoothing_length, const std
     const auto limit_by = [&](const Material& material, double speed, LimitingCriterion acoustic) {
         limit(model.courant_number * h / (material.eos.sound_speed + speed), acoustic);
         if (model.viscosity != Viscosity::none && material.viscosity > 0) {
-            limit(0.125 * material.eos.reference_density * h * h / material.viscosity, LimitingCriterion::viscous);
+            limit(0.125 * material.eos.reference_density * h * h / material.viscosity,
+                  LimitingCriterion::viscous);
         }
     };
     if (has_water) limit_by(model.water, fastest[0], LimitingCriterion::acoustic_water);

@@ -20,7 +20,7 @@ struct TimeStep {
 };
 
 /// @param fastest  largest speed in water and in air [m/s]; a phase without particles does not limit
-TimeStep stable_time_step(const Model& model, double smoothing_length, const std::array<double, phase_count>& fastest,
-                          bool has_water, bool has_air);
+TimeStep stable_time_step(const Model& model, double smoothing_length,
+                          const std::array<double, phase_count>& fastest, bool has_water, bool has_air);
 
 }  // namespace wetdeck

@@ -38,7 +38,8 @@ double initial_gauge_pressure(const Scene& scene, Phase phase, Vec2 position) {
     const double on_surface = air_density * g * (scene.tank.high.y() - initial.surface);
     const double density = scene.model.water.eos.reference_density;
     if (initial.law == InitialPressure::Law::greco) {
-        return on_surface + greco_pressure(density, g, initial.surface, initial.released_face - position.x(), position.y());
+        return on_surface + greco_pressure(density, g, initial.surface, initial.released_face - position.x(),
+                                           position.y());
     }
     return on_surface + density * g * (initial.surface - position.y());
 }
@@ -53,18 +54,21 @@ Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
         return initial_gauge_pressure(scene, phase, position);
     });
     const double support = 2 * model.smoothing_ratio * particle_spacing;
-    return {model, std::move(fluid), tank_walls(scene.tank, particle_spacing, support), particle_spacing, scene.tank};
+    return {model, std::move(fluid), tank_walls(scene.tank, particle_spacing, support), particle_spacing,
+            scene.tank};
 }
 
 void check_spacing(const Scene& scene, double particle_spacing) {
     constexpr double most_particles = 5e7;
     if (!(particle_spacing > 0) || !std::isfinite(particle_spacing)) {
-        throw InputError(fmt::format("--dx is {}, expected a positive, finite spacing [m]", particle_spacing));
+        throw InputError(fmt::format("--dx is {}, expected a positive spacing [m]", particle_spacing));
     }
-    const double particles = (scene.tank.high - scene.tank.low).prod() / (particle_spacing * particle_spacing);
+    const double particles =
+        (scene.tank.high - scene.tank.low).prod() / (particle_spacing * particle_spacing);
     if (particles > most_particles) {
-        throw InputError(fmt::format("particle spacing {} m would make {:.2g} particles, expected at most {:.2g}",
-                                     particle_spacing, particles, most_particles));
+        throw InputError(
+            fmt::format("particle spacing {} m would make {:.2g} particles, expected at most {:.2g}",
+                        particle_spacing, particles, most_particles));
     }
     fill(scene, particle_spacing);
     Recorders(scene, particle_spacing);
@@ -80,15 +84,19 @@ Recorders::Recorders(const Scene& scene, double particle_spacing) {
             case ProbeSpec::Type::wall_pressure: {
                 const WallPressureProbe probe(spec.centre, spec.diameter);
                 probe.check(particle_spacing);
-                list_.push_back({spec.name, "Pa",
-                                 fmt::format("gauge pressure, chord-weighted mean over a disc of {} m at ({}, {}) m; {}",
-                                             spec.diameter, spec.centre.x(), spec.centre.y(), spec.note)});
+                list_.push_back(
+                    {spec.name, "Pa",
+                     fmt::format("gauge pressure, chord-weighted mean over a disc of {} m at ({}, {}) m; {}",
+                                 spec.diameter, spec.centre.x(), spec.centre.y(), spec.note)});
                 probes_.emplace_back([probe](const Simulation& s) { return probe.sample(s); });
                 break;
             }
             case ProbeSpec::Type::water_depth:
-                list_.push_back({spec.name, "m", fmt::format("depth of water at x = {} m over a width of {} m", spec.x, spec.width)});
-                probes_.emplace_back([spec](const Simulation& s) { return water_depth(s, spec.x, spec.width); });
+                list_.push_back(
+                    {spec.name, "m",
+                     fmt::format("depth of water at x = {} m over a width of {} m", spec.x, spec.width)});
+                probes_.emplace_back(
+                    [spec](const Simulation& s) { return water_depth(s, spec.x, spec.width); });
                 break;
         }
     }
@@ -99,8 +107,9 @@ void Recorders::sample(const Simulation& simulation, std::vector<double>& values
     values.clear();
     for (const auto& probe : probes_) values.push_back(probe(simulation));
     const Balance b = balance(simulation);  // in the order of every_run_series()
-    values.insert(values.end(), {b.kinetic, b.potential, b.compression, b.momentum.x(), b.momentum.y(), b.mass,
-                                 b.water_density_error, static_cast<double>(b.outside), simulation.time_step().size});
+    values.insert(values.end(),
+                  {b.kinetic, b.potential, b.compression, b.momentum.x(), b.momentum.y(), b.mass,
+                   b.water_density_error, static_cast<double>(b.outside), simulation.time_step().size});
 }
 
 }  // namespace wetdeck

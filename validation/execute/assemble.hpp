@@ -14,7 +14,8 @@ namespace wetdeck {
 /// The simulation of a scene, ready to run. Throws InputError for a spacing that does not fit.
 Simulation assemble(const Scene& scene, double particle_spacing, int threads);
 
-/// All scalar series of a scene: its probes, then what every run records. One pass over the particles serves the latter.
+/// All scalar series of a scene: its probes, then what every run records. One pass over the particles serves
+/// the latter.
 class Recorders {
   public:
     /// Throws InputError where a probe is too small for the spacing.

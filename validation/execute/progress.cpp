@@ -16,7 +16,11 @@ std::string duration_text(double seconds) {
 }
 
 Progress::Progress(std::string label, bool quiet)
-    : label_(std::move(label)), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), last_(start_) {}
+    : label_(std::move(label)),
+      quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(Clock::now()),
+      last_(start_) {}
 
 Progress::~Progress() {
     if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
@@ -34,7 +38,8 @@ void Progress::update(double share, const std::string& detail) {
     if (terminal_) {
         constexpr int width = 24;
         const int filled = static_cast<int>(share * width);
-        fmt::print(stderr, "\r\033[K{} [{}{}] {:3.0f} %  {}  {}", label_, std::string(static_cast<std::size_t>(filled), '#'),
+        fmt::print(stderr, "\r\033[K{} [{}{}] {:3.0f} %  {}  {}", label_,
+                   std::string(static_cast<std::size_t>(filled), '#'),
                    std::string(static_cast<std::size_t>(width - filled), '.'), 100 * share, detail, left);
     } else {
         fmt::print(stderr, "{}: {:.0f} %, {}, {}\n", label_, 100 * share, detail, left);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress on stderr: a bar with the time left on a terminal, at most one plain line per ten seconds elsewhere.
+// Progress on stderr: a bar with the time left on a terminal, at most one plain line per ten seconds
+// elsewhere.
 #pragma once
 
 #include <chrono>

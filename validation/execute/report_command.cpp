@@ -26,11 +26,15 @@ namespace fs = std::filesystem;
 std::vector<RunSummary> read_runs(const fs::path& directory) {
     std::vector<fs::path> files;
     std::error_code error;
-    if (!fs::is_directory(directory, error)) throw InputError(fmt::format("{}: no such directory", directory.string()));
-    for (const auto& entry : fs::recursive_directory_iterator(directory, fs::directory_options::skip_permission_denied)) {
+    if (!fs::is_directory(directory, error))
+        throw InputError(fmt::format("{}: no such directory", directory.string()));
+    for (const auto& entry :
+         fs::recursive_directory_iterator(directory, fs::directory_options::skip_permission_denied)) {
         if (entry.path().filename() == "run.h5" && entry.is_regular_file()) files.push_back(entry.path());
     }
-    if (files.empty()) throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run", directory.string()));
+    if (files.empty())
+        throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run",
+                                     directory.string()));
     std::vector<RunSummary> runs;
     for (const fs::path& file : files) {
         RunSummary run;
@@ -79,7 +83,8 @@ void read_suite_plan(const fs::path& directory, Summary& summary) {
     }
     const nlohmann::json plan = nlohmann::json::parse(in, nullptr, false);
     if (!plan.is_object() || !plan.contains("tier") || !plan.contains("runs")) {
-        throw DataError(fmt::format("{}: expected an object with 'tier' and 'runs'", (directory / "suite.json").string()));
+        throw DataError(fmt::format("{}: expected an object with 'tier' and 'runs'",
+                                    (directory / "suite.json").string()));
     }
     summary.tier = plan.at("tier").get<std::string>();
     for (const auto& planned : plan.at("runs")) {
@@ -92,7 +97,8 @@ void read_suite_plan(const fs::path& directory, Summary& summary) {
 
 }  // namespace
 
-void write_suite_plan(const fs::path& directory, const std::string& tier, const std::vector<std::string>& run_directories) {
+void write_suite_plan(const fs::path& directory, const std::string& tier,
+                      const std::vector<std::string>& run_directories) {
     make_directories(directory);
     const nlohmann::json plan = {{"tier", tier}, {"runs", run_directories}};
     atomic_write(directory / "suite.json", plan.dump(2) + "\n");
@@ -108,7 +114,9 @@ Summary make_report(const fs::path& directory) {
     read_suite_plan(directory, summary);
 
     report::ReportInputs inputs;
-    inputs.program = {{"version", program.version}, {"commit", program.commit}, {"compiler", program.compiler},
+    inputs.program = {{"version", program.version},
+                      {"commit", program.commit},
+                      {"compiler", program.compiler},
                       {"instruction set", program.simd}};
     inputs.machine = {{"cpu", program.cpu}, {"cores", std::to_string(program.cores)}};
     inputs.plotly = report::load_plotly();
@@ -116,7 +124,8 @@ Summary make_report(const fs::path& directory) {
     for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
     for (const RunSummary& run : summary.runs) {
         if (!finest_of_variant(summary, run)) continue;
-        inputs.pictures[run.directory] = field_pictures(scenes.at(run.record.scene), run.record, directory / run.directory);
+        inputs.pictures[run.directory] =
+            field_pictures(scenes.at(run.record.scene), run.record, directory / run.directory);
     }
     atomic_write(directory / "summary.json", summary_json(summary, program).dump(1) + "\n");
     report::write_report(directory, summary, inputs);

@@ -28,7 +28,8 @@ FieldFrame frame_of(const Simulation& simulation) {
     constexpr int wall = 2;
     FieldFrame frame;
     frame.time = simulation.time();
-    const auto add = [&frame](double x, double y, double vx, double vy, double p, double rho, int phase, std::int64_t id) {
+    const auto add = [&frame](double x, double y, double vx, double vy, double p, double rho, int phase,
+                              std::int64_t id) {
         frame.x.push_back(x);
         frame.y.push_back(y);
         frame.vx.push_back(vx);
@@ -42,7 +43,8 @@ FieldFrame frame_of(const Simulation& simulation) {
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const FluidState& p = fluid.state[i];
         const double background = simulation.model().water.eos.background_pressure;
-        add(p.x, p.y, p.vx, p.vy, p.pressure - background, p.density, static_cast<int>(fluid.phase(i)), fluid.id[i]);
+        add(p.x, p.y, p.vx, p.vy, p.pressure - background, p.density, static_cast<int>(fluid.phase(i)),
+            fluid.id[i]);
     }
     const WallParticles& walls = simulation.walls();
     for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -57,7 +59,8 @@ FieldFrame frame_of(const Simulation& simulation) {
 class SeriesKeeper {
   public:
     SeriesKeeper(const Scene& scene, const RunOptions& options)
-        : recorders_(scene, options.particle_spacing), interval_(scene.sample_interval),
+        : recorders_(scene, options.particle_spacing),
+          interval_(scene.sample_interval),
           live_(options.directory, columns(recorders_)) {
         for (const SeriesInfo& r : recorders_.list()) kept_.push_back({r.unit, r.description, {}, {}, {}});
     }
@@ -129,11 +132,13 @@ void record_parameters(RunRecord& record, const Scene& scene, const Simulation& 
 void record_cost(RunRecord& record, const Simulation& simulation) {
     RunCost& cost = record.cost;
     cost.steps = simulation.steps();
-    cost.particle_steps = static_cast<double>(simulation.steps()) * static_cast<double>(simulation.fluid().size());
+    cost.particle_steps =
+        static_cast<double>(simulation.steps()) * static_cast<double>(simulation.fluid().size());
     cost.peak_rss_mb = peak_rss_mb();
     const StageTimes& s = simulation.stage_times();
-    cost.stage_seconds = {{"neighbours", s.neighbours}, {"density", s.density},         {"momentum", s.momentum},
-                          {"walls", s.walls},           {"integration", s.integration}, {"probes and files", s.probes}};
+    cost.stage_seconds = {{"neighbours", s.neighbours},   {"density", s.density},
+                          {"momentum", s.momentum},       {"walls", s.walls},
+                          {"integration", s.integration}, {"probes and files", s.probes}};
     for (std::size_t k = 0; k < limiting_criterion_names.size(); ++k) {
         cost.limiting_criterion[limiting_criterion_names[k]] = simulation.limiting_counts()[k];
     }
@@ -144,8 +149,9 @@ void record_cost(RunRecord& record, const Simulation& simulation) {
 }  // namespace
 
 std::string identity_of(const Scene& scene, const RunOptions& options) {
-    return run_identity(scene.name(), scene.variant, options.particle_spacing,
-                        fmt::format("{}\nuntil = {}", scene.resolved, options.until.value_or(scene.end_time)));
+    return run_identity(
+        scene.name(), scene.variant, options.particle_spacing,
+        fmt::format("{}\nuntil = {}", scene.resolved, options.until.value_or(scene.end_time)));
 }
 
 RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress) {
@@ -166,7 +172,8 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
     record.particles = simulation.fluid().size() + simulation.walls().size();
     record.scene_text = scene.text;
     record.scene_path = scene.path;
-    collect_provenance(simulation.instruction_set(), static_cast<unsigned>(simulation.threads())).add_to(record.choices);
+    collect_provenance(simulation.instruction_set(), static_cast<unsigned>(simulation.threads()))
+        .add_to(record.choices);
     record_parameters(record, scene, simulation);
 
     SeriesKeeper keeper(scene, options);
@@ -176,12 +183,16 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
     const auto observe = [&](const Simulation& s) {
         keeper.observe(s, s.time() >= end);
         if (next_frame < scene.frame_times.size() && s.time() >= scene.frame_times[next_frame]) {
-            while (next_frame < scene.frame_times.size() && s.time() >= scene.frame_times[next_frame]) ++next_frame;
+            while (next_frame < scene.frame_times.size() && s.time() >= scene.frame_times[next_frame])
+                ++next_frame;
             fields.write(frame_of(s));
         }
         constexpr std::uint64_t steps_between = 256;
-        if (s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()))) last_good = frame_of(s);
-        if (s.steps() % 64 == 0) progress.update(s.time() / end, fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end, s.steps()));
+        if (s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps())))
+            last_good = frame_of(s);
+        if (s.steps() % 64 == 0)
+            progress.update(s.time() / end,
+                            fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end, s.steps()));
     };
     if (const std::optional<Instability> trouble = simulation.run(end, observe)) {
         record.status = RunStatus::unstable;

@@ -34,8 +34,9 @@ pid_t start(const SuiteRow& row, int threads) {
     const std::string spacing = fmt::format("{}", row.particle_spacing);
     const std::string thread_text = std::to_string(threads);
     const std::string directory = row.directory.string();
-    std::vector<std::string> arguments = {"wetdeck",   "run",     row.scene, "--variant", row.variant, "--dx",     spacing,
-                                          "--threads", thread_text, "--out",   directory,   "--replace"};
+    std::vector<std::string> arguments = {"wetdeck",   "run",   row.scene, "--variant",
+                                          row.variant, "--dx",  spacing,   "--threads",
+                                          thread_text, "--out", directory, "--replace"};
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -76,13 +77,16 @@ int judge(const SuiteRow& row, int status) {
         fmt::print("  {}: became unstable, see run.log in {}\n", row_name(row), row.directory.string());
         return row.variant == "paper" ? 0 : exit_unstable;
     }
-    if (code != 0) fmt::print("  {}: failed with code {}, see {}\n", row_name(row), code, (row.directory / "run.log").string());
+    if (code != 0)
+        fmt::print("  {}: failed with code {}, see {}\n", row_name(row), code,
+                   (row.directory / "run.log").string());
     return code;
 }
 
 }  // namespace
 
-fs::path run_path(const fs::path& directory, const std::string& scene, const std::string& variant, double particle_spacing) {
+fs::path run_path(const fs::path& directory, const std::string& scene, const std::string& variant,
+                  double particle_spacing) {
     return directory / "runs" / scene / variant / fmt::format("dx{}", particle_spacing);
 }
 
@@ -93,7 +97,8 @@ std::vector<SuiteRow> suite_rows(const SuiteOptions& options) {
         const Scene scene = read_scene(path);
         const auto tier = scene.tiers.find(options.tier);
         if (tier == scene.tiers.end()) {
-            throw InputError(fmt::format("{}: no tier '{}', expected quick, standard or paper", path.string(), options.tier));
+            throw InputError(fmt::format("{}: no tier '{}', expected quick, standard or paper", path.string(),
+                                         options.tier));
         }
         for (const auto& [variant, spacings] : tier->second) {
             const Scene varied = read_scene(path, variant);
@@ -138,7 +143,8 @@ int run_suite(const SuiteOptions& options) {
         const pid_t child = waitpid(-1, &status, WNOHANG);
         if (child <= 0) {
             usleep(100'000);
-            progress.update(total > 0 ? done / total : 0, fmt::format("{} of {} runs", ended, waiting.size()));
+            progress.update(total > 0 ? done / total : 0,
+                            fmt::format("{} of {} runs", ended, waiting.size()));
             continue;
         }
         const SuiteRow row = running.at(child);

@@ -11,7 +11,7 @@
 namespace wetdeck {
 
 struct SuiteRow {
-    std::string scene;    ///< name or path
+    std::string scene;  ///< name or path
     std::string variant;
     double particle_spacing = 0;
     double estimated_core_seconds = 0;
@@ -29,8 +29,8 @@ struct SuiteOptions {
 /// Every row of the tier, longest first. Throws InputError for an unknown tier or scene.
 std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
 
-/// Runs the rows that are not finished. Returns the worst exit code of a row (0, 3, or 2 and 4 for failures), where a
-/// `paper` variant that becomes unstable has done its work.
+/// Runs the rows that are not finished. Returns the worst exit code of a row (0, 3, or 2 and 4 for failures),
+/// where a `paper` variant that becomes unstable has done its work.
 int run_suite(const SuiteOptions& options);
 
 /// DIR/runs/SCENE/VARIANT/dxDX

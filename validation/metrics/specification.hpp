@@ -19,8 +19,9 @@ struct Window {
 struct QuantitySpec {
     std::string name;
     /// mean, standard_deviation, maximum, time_of_maximum, minimum, slope (least squares), first_crossing
-    /// (upward through `threshold`), value_at (at `threshold` on the abscissa), rms_difference (root mean square difference to
-    /// `reference` at 2000 equidistant instants of the window, both interpolated linearly, no time shift).
+    /// (upward through `threshold`), value_at (at `threshold` on the abscissa), rms_difference (root mean
+    /// square difference to `reference` at 2000 equidistant instants of the window, both interpolated
+    /// linearly, no time shift).
     std::string metric;
     std::string series;
     double x_scale = 1;  ///< seconds per unit of the scaled time
@@ -45,7 +46,8 @@ struct ComparisonSpec {
     std::string y_column;
     double x_scale = 1;
     double y_scale = 1;
-    double y_offset = 0;    ///< subtracted from the scaled series (for example 2, where a front is counted from the gate)
+    double y_offset =
+        0;  ///< subtracted from the scaled series (for example 2, where a front is counted from the gate)
     std::optional<Window> window;  ///< where the metrics are taken; the whole overlap if absent
     double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
     std::string x_label;
@@ -69,8 +71,8 @@ struct AnalysisSpec {
     std::vector<QuantitySpec> quantities;
     std::vector<ComparisonSpec> comparisons;
     std::vector<Deviation> deviations;
-    std::vector<std::string> limits;      ///< statements of what was not shown
-    std::string error_quantity;           ///< the quantity whose value is the error of the speed-error diagram
+    std::vector<std::string> limits;  ///< statements of what was not shown
+    std::string error_quantity;       ///< the quantity whose value is the error of the speed-error diagram
     std::string default_variant;
 };
 

@@ -20,21 +20,22 @@ struct QuantityResult {
     std::optional<double> expected;
     std::optional<double> tolerance;
     std::string expected_source;
-    std::optional<bool> within;   ///< empty where nothing is expected or nothing was computed
+    std::optional<bool> within;  ///< empty where nothing is expected or nothing was computed
 };
 
 struct ComparisonResult {
     std::string title;
     std::string quantity;
     std::string reference;
-    std::string kind;      ///< experiment, peer-simulation, analytic, stated
+    std::string kind;  ///< experiment, peer-simulation, analytic, stated
     std::string citation;
     std::optional<double> nrmse;       ///< rms difference over the range of the reference in the window
     std::optional<double> peak_error;  ///< (max simulated - max reference) / |max reference| in the window
     std::optional<double> time_error;  ///< scaled time of the maximum, simulated minus reference
     std::optional<double> reference_uncertainty;  ///< relative standard, k = 1; empty if unknown
     double tolerance = 0;
-    bool within = false;    ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
+    bool within =
+        false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
     bool available = true;  ///< false: there is no such reference file; neither a success nor a failure
     std::string note;
     std::string x_label;
@@ -46,7 +47,7 @@ struct ComparisonResult {
 
 struct RunSummary {
     RunRecord record;
-    std::string directory;  ///< relative to the suite's directory
+    std::string directory;                 ///< relative to the suite's directory
     std::optional<double> energy_error;    ///< see conservation.hpp
     std::optional<double> momentum_error;  ///< see conservation.hpp
     std::vector<QuantityResult> quantities;
@@ -55,7 +56,7 @@ struct RunSummary {
 
 struct ConvergenceRow {
     std::string scene, variant, qoi;
-    std::vector<double> dx;     ///< [m], coarse to fine
+    std::vector<double> dx;  ///< [m], coarse to fine
     std::vector<double> value;
     std::optional<double> order, extrapolated, gci_fine;  ///< see convergence.hpp
     std::optional<double> asymptotic_ratio;  ///< 1 if a fourth spacing lies on the curve of the finest three

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command line. Exit codes: 0 done and within tolerance; 1 outside a stated tolerance; 2 bad usage or input; 3 a run became
-// unstable; 4 the environment failed.
+// The command line. Exit codes: 0 done and within tolerance; 1 outside a stated tolerance; 2 bad usage or
+// input; 3 a run became unstable; 4 the environment failed.
 #include <fmt/format.h>
 #include <omp.h>
 
@@ -42,11 +42,12 @@ struct Options {
 
 void print_outcome(const RunRecord& record, const fs::path& directory) {
     const RunCost& cost = record.cost;
-    fmt::print("{} {} dx {}: {}{}\n", record.scene, record.variant, record.particle_spacing, to_string(record.status),
-               record.stop_reason.empty() ? "" : ", " + record.stop_reason);
-    fmt::print("  {} fluid particles, {} steps in {:.2f} s: {:.2f} M particle-steps/s, {:.0f} bytes per particle\n",
-               record.fluid_particles, cost.steps, cost.wall_s, cost.particle_steps / cost.wall_s / 1e6,
-               record.parameters.at("bytes_per_particle"));
+    fmt::print("{} {} dx {}: {}{}\n", record.scene, record.variant, record.particle_spacing,
+               to_string(record.status), record.stop_reason.empty() ? "" : " " + record.stop_reason);
+    fmt::print(
+        "  {} fluid particles, {} steps in {:.2f} s: {:.2f} M particle-steps/s, {:.0f} bytes per particle\n",
+        record.fluid_particles, cost.steps, cost.wall_s, cost.particle_steps / cost.wall_s / 1e6,
+        record.parameters.at("bytes_per_particle"));
     fmt::print("  results in {}\n", directory.string());
 }
 
@@ -66,8 +67,11 @@ int run_command(const Options& options) {
     if (options.until != 0) run.until = options.until;
     run.threads = options.threads;
     run.replace = options.replace;
-    run.directory = options.out.empty() ? run_path("results", scene.name(), scene.variant, run.particle_spacing) : fs::path(options.out);
-    Progress progress(fmt::format("{} {} dx {}", scene.name(), scene.variant, run.particle_spacing), options.quiet);
+    run.directory = options.out.empty()
+                        ? run_path("results", scene.name(), scene.variant, run.particle_spacing)
+                        : fs::path(options.out);
+    Progress progress(fmt::format("{} {} dx {}", scene.name(), scene.variant, run.particle_spacing),
+                      options.quiet);
     const RunRecord record = run_scene(scene, run, progress);
     print_outcome(record, run.directory);
     return record.status == RunStatus::ok ? exit_done : exit_unstable;
@@ -77,7 +81,8 @@ int suite_command(Options& options) {
     SuiteOptions& suite = options.suite;
     suite.directory = options.out.empty() ? fs::path("results") / suite.tier : fs::path(options.out);
     std::vector<std::string> planned;
-    for (const SuiteRow& row : suite_rows(suite)) planned.push_back(fs::relative(row.directory, suite.directory).string());
+    for (const SuiteRow& row : suite_rows(suite))
+        planned.push_back(fs::relative(row.directory, suite.directory).string());
     write_suite_plan(suite.directory, suite.tier, planned);
     const int worst = run_suite(suite);
     const Summary summary = make_report(suite.directory);
@@ -96,7 +101,8 @@ int report_command(const Options& options) {
 int check_command(const std::string& file) {
     if (fs::path(file).extension() == ".csv") {
         const Reference reference = load_reference(file);
-        fmt::print("{}: {} reference, {} columns, no error found\n", file, reference.kind, reference.columns.size());
+        fmt::print("{}: {} reference, {} columns, no error found\n", file, reference.kind,
+                   reference.columns.size());
         return exit_done;
     }
     const Scene scene = read_scene(file);
@@ -108,39 +114,47 @@ int check_command(const std::string& file) {
             for (const double dx : spacings->second) check_spacing(varied, dx);
         }
     }
-    fmt::print("{}: scene '{}' with {} variants, no error found\n", file, scene.name(), scene.variants.size());
+    fmt::print("{}: scene '{}' with {} variants, no error found\n", file, scene.name(),
+               scene.variants.size());
     return exit_done;
 }
 
 int version_command() {
     const Model model;
-    const Provenance p = collect_provenance(pair_loops(model).instruction_set, static_cast<unsigned>(omp_get_max_threads()));
-    fmt::print("wetdeck {}\ncommit {}\ncompiler {} ({})\ninstruction set {}\nthreads {}\n", p.program_version, p.commit, p.compiler,
-               p.build_type, p.simd, p.threads);
+    const Provenance p =
+        collect_provenance(pair_loops(model).instruction_set, static_cast<unsigned>(omp_get_max_threads()));
+    fmt::print("wetdeck {}\ncommit {}\ncompiler {} ({})\ninstruction set {}\nthreads {}\n", p.program_version,
+               p.commit, p.compiler, p.build_type, p.simd, p.threads);
     return exit_done;
 }
 
 int dispatch(int argc, char** argv) {
     Options options;
-    CLI::App app{"wetdeck: two-phase SPH of bodies that slam into water, checked against experiments and exact solutions"};
+    CLI::App app{
+        "wetdeck: two-phase SPH of bodies that slam into water, checked against experiments and exact "
+        "solutions"};
     app.require_subcommand(0, 1);
     bool version = false;
     app.add_flag("--version", version, "version, commit, compiler, instruction set, threads");
-    app.footer("Exit codes: 0 done and within tolerance, 1 outside a stated tolerance, 2 bad usage or input,\n"
-               "3 a run became unstable, 4 the environment failed (disk full, no permission).");
+    app.footer(
+        "Exit codes: 0 done and within tolerance, 1 outside a stated tolerance, 2 bad usage or input,\n"
+        "3 a run became unstable, 4 the environment failed (disk full, no permission).");
 
-    CLI::App* suite = app.add_subcommand("suite", "run every scene, spacing and variant of a tier, compare, write the report");
+    CLI::App* suite = app.add_subcommand(
+        "suite", "run every scene, spacing and variant of a tier, compare, write the report");
     suite->add_option("--tier", options.suite.tier, "quick, standard or paper")->capture_default_str();
     suite->add_option("--only", options.suite.scenes, "scenes to run, separated by commas")->delimiter(',');
     suite->add_option("--out", options.out, "directory of the results (results/TIER)");
-    suite->add_option("--jobs", options.suite.jobs, "runs at a time (one per core)")->check(CLI::Range(1, 4096));
+    suite->add_option("--jobs", options.suite.jobs, "runs at a time (one per core)")
+        ->check(CLI::Range(1, 4096));
     suite->add_flag("--fresh", options.suite.fresh, "run again what is finished");
 
     CLI::App* run = app.add_subcommand("run", "one run of a scene");
     run->add_option("scene", options.scene, "name from `wetdeck list`, or path of a scene file")->required();
     run->add_option("--variant", options.variant, "variant of the scene (its default)");
     run->add_option("--dx", options.particle_spacing, "particle spacing [m] (the finest of the quick tier)");
-    run->add_option("--set", options.overrides, "KEY=VALUE: overrides a key of the scene file")->allow_extra_args(false);
+    run->add_option("--set", options.overrides, "KEY=VALUE: overrides a key of the scene file")
+        ->allow_extra_args(false);
     run->add_option("--until", options.until, "stop time [s] (the scene's)");
     run->add_option("--out", options.out, "run directory (results/runs/...)");
     run->add_option("--threads", options.threads, "threads (all)")->check(CLI::Range(1, 4096));
@@ -154,7 +168,8 @@ int dispatch(int argc, char** argv) {
     list->add_flag("--json", options.json, "as JSON");
     CLI::App* describe = app.add_subcommand("describe", "set-up, references and cost of one scene");
     describe->add_option("scene", options.scene, "name or path")->required();
-    CLI::App* check = app.add_subcommand("check", "validate a scene file (.toml) or a reference curve (.csv)");
+    CLI::App* check =
+        app.add_subcommand("check", "validate a scene file (.toml) or a reference curve (.csv)");
     check->add_option("file", options.scene, "path")->required();
 
     try {

@@ -10,9 +10,9 @@
 namespace wetdeck {
 namespace {
 
-const std::vector<std::string> metric_names = {"mean",         "standard_deviation", "maximum",        "time_of_maximum",
-                                               "minimum",      "slope",              "first_crossing", "value_at",
-                                               "rms_difference"};
+const std::vector<std::string> metric_names = {
+    "mean",  "standard_deviation", "maximum",  "time_of_maximum", "minimum",
+    "slope", "first_crossing",     "value_at", "rms_difference"};
 
 /// A scale is a name from [scales] or a number.
 double scale(const TomlTable& table, const std::string& key, const Scales& scales) {
@@ -45,7 +45,8 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales) {
     q.tolerance = table.optional_number("tolerance");
     q.expected_source = table.text_or("expected_source", "");
     const bool needs_threshold = q.metric == "first_crossing" || q.metric == "value_at";
-    if (needs_threshold && !q.threshold) table.fail("threshold", "missing, the metric " + q.metric + " needs it");
+    if (needs_threshold && !q.threshold)
+        table.fail("threshold", "missing, the metric " + q.metric + " needs it");
     const bool needs_reference = q.metric == "rms_difference";
     if (needs_reference && (q.reference.empty() || q.y_column.empty() || !q.window)) {
         table.fail("reference", "rms_difference needs reference, y_column and window");

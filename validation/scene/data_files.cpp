@@ -2,9 +2,9 @@
 // Where scenes and reference data lie: beside an installed program, or in the source tree that built it.
 #include <unistd.h>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cstdlib>
-#include <fmt/format.h>
 
 #include "solver/core/errors.hpp"
 #include "validation/scene/scene.hpp"
@@ -23,7 +23,8 @@ fs::path first_that_exists(const std::vector<fs::path>& candidates, const char* 
     for (const fs::path& candidate : candidates) {
         if (fs::is_directory(candidate)) return candidate;
     }
-    throw EnvironmentError(fmt::format("the {} of this program cannot be found; set WETDECK_DATA to its directory", what));
+    throw EnvironmentError(
+        fmt::format("the {} of this program cannot be found; set WETDECK_DATA to its directory", what));
 }
 
 std::vector<fs::path> roots(const char* in_source) {
@@ -37,8 +38,12 @@ std::vector<fs::path> roots(const char* in_source) {
 
 }  // namespace
 
-fs::path scene_directory() { return first_that_exists(roots("validation/scenes"), "scenes"); }
-fs::path reference_directory() { return first_that_exists(roots("reference_data"), "reference data"); }
+fs::path scene_directory() {
+    return first_that_exists(roots("validation/scenes"), "scenes");
+}
+fs::path reference_directory() {
+    return first_that_exists(roots("reference_data"), "reference data");
+}
 
 std::vector<std::string> scene_names() {
     std::vector<std::string> names;
@@ -54,9 +59,10 @@ fs::path find_scene(const std::string& name_or_path) {
     if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
         return scene_directory() / (name_or_path + ".toml");
     }
-    if (name_or_path.find('/') != std::string::npos || fs::path(name_or_path).extension() == ".toml") return name_or_path;
-    throw InputError(fmt::format("no scene '{}', expected one of {} or the path of a scene file", name_or_path,
-                                 fmt::join(names, ", ")));
+    if (name_or_path.find('/') != std::string::npos || fs::path(name_or_path).extension() == ".toml")
+        return name_or_path;
+    throw InputError(fmt::format("no scene '{}', expected one of {} or the path of a scene file",
+                                 name_or_path, fmt::join(names, ", ")));
 }
 
 }  // namespace wetdeck

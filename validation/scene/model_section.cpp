@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Materials and model ingredients: names in the file to choices of the solver. Defaults live in solver/core/model.hpp.
+// Materials and model ingredients: names in the file to choices of the solver. Defaults live in
+// solver/core/model.hpp.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,13 +37,13 @@ constexpr Name<Mean> means[] = {{"arithmetic", Mean::arithmetic},
 constexpr Name<Dissipation> dissipations[] = {{"none", Dissipation::none},
                                               {"riemann", Dissipation::riemann},
                                               {"low-dissipation", Dissipation::low_dissipation}};
-constexpr Name<Viscosity> viscosities[] = {{"none", Viscosity::none},
-                                           {"approaching", Viscosity::approaching},
-                                           {"symmetric", Viscosity::symmetric}};
+constexpr Name<Viscosity> viscosities[] = {
+    {"none", Viscosity::none}, {"approaching", Viscosity::approaching}, {"symmetric", Viscosity::symmetric}};
 constexpr Name<WallPressure> wall_pressures[] = {{"one-sided", WallPressure::one_sided},
                                                  {"shepard", WallPressure::shepard},
                                                  {"shepard-water", WallPressure::shepard_water}};
-constexpr Name<WallVelocity> wall_velocities[] = {{"normal", WallVelocity::normal}, {"mirrored", WallVelocity::mirrored}};
+constexpr Name<WallVelocity> wall_velocities[] = {{"normal", WallVelocity::normal},
+                                                  {"mirrored", WallVelocity::mirrored}};
 constexpr Name<WallSlip> slips[] = {{"free", WallSlip::free}, {"no", WallSlip::no}};
 
 Material read_material(const TomlTable& table) {
@@ -115,10 +116,12 @@ void read_model(const TomlTable& root, Scene& scene) {
         model.fail("courant_number", fmt::format("is {}, expected above 0 and at most 2", m.courant_number));
     }
     m.skin = model.number_or("skin", scene.air ? m.skin : 2 * m.skin);
-    if (!(m.skin >= 0.05 && m.skin <= 1)) model.fail("skin", fmt::format("is {}, expected 0.05 to 1", m.skin));
+    if (!(m.skin >= 0.05 && m.skin <= 1))
+        model.fail("skin", fmt::format("is {}, expected 0.05 to 1", m.skin));
     model.finish();
     if (m.pressure_mean == Mean::harmonic && background == 0 && scene.air) {
-        model.fail("pressure_mean", "the harmonic mean needs a positive background_pressure: it is singular at p <= 0");
+        model.fail("pressure_mean",
+                   "the harmonic mean needs a positive background_pressure: it is singular at p <= 0");
     }
 }
 

@@ -23,9 +23,11 @@ constexpr std::uintmax_t largest_scene_file = 1'000'000;  // [bytes]
 
 std::string read_file(const fs::path& path) {
     std::error_code error;
-    if (!fs::is_regular_file(path, error)) throw InputError(fmt::format("{}: no such scene file", path.string()));
+    if (!fs::is_regular_file(path, error))
+        throw InputError(fmt::format("{}: no such scene file", path.string()));
     if (fs::file_size(path) > largest_scene_file) {
-        throw InputError(fmt::format("{}: larger than {} bytes, not a scene file", path.string(), largest_scene_file));
+        throw InputError(
+            fmt::format("{}: larger than {} bytes, not a scene file", path.string(), largest_scene_file));
     }
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
@@ -40,13 +42,15 @@ std::vector<Box> read_boxes(const TomlTable& table, const Box& tank, const std::
     for (const std::vector<double>& row : table.number_rows("boxes", 4)) {
         const Box box{{row[0], row[1]}, {row[2], row[3]}};
         const bool proper = (box.high - box.low).minCoeff() > 0;
-        const bool inside = (box.low - tank.low).minCoeff() > -1e-9 && (tank.high - box.high).minCoeff() > -1e-9;
+        const bool inside =
+            (box.low - tank.low).minCoeff() > -1e-9 && (tank.high - box.high).minCoeff() > -1e-9;
         if (!proper) table.fail("boxes", "expected x_low, y_low, x_high, y_high with low below high");
         if (!inside) table.fail("boxes", "a box reaches outside the tank");
         const auto overlaps = [&box](const Box& other) {
             return (box.high.cwiseMin(other.high) - box.low.cwiseMax(other.low)).minCoeff() > 1e-9;
         };
-        if (std::any_of(boxes.begin(), boxes.end(), overlaps) || std::any_of(taken.begin(), taken.end(), overlaps)) {
+        if (std::any_of(boxes.begin(), boxes.end(), overlaps) ||
+            std::any_of(taken.begin(), taken.end(), overlaps)) {
             table.fail("boxes", "two boxes overlap");
         }
         boxes.push_back(box);
@@ -73,7 +77,8 @@ void read_run(const TomlTable& root, Scene& scene) {
     if (table.has("frames")) scene.frame_times = scene.picture_times = table.numbers("frames");
     if (const auto interval = table.optional_number("frame_interval")) {
         if (!(*interval > 0)) table.fail("frame_interval", "expected a positive number");
-        if (scene.end_time / *interval > 100'000) table.fail("frame_interval", "would write more than 100,000 frames");
+        if (scene.end_time / *interval > 100'000)
+            table.fail("frame_interval", "would write more than 100,000 frames");
         for (double t = 0; t < scene.end_time; t += *interval) scene.frame_times.push_back(t);
     }
     scene.frame_times.push_back(0);
@@ -119,7 +124,8 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     }
     scene.variant = wanted.value_or(scene.analysis.default_variant);
     if (std::find(names.begin(), names.end(), scene.variant) == names.end()) {
-        throw InputError(fmt::format("{}: no variant '{}', expected one of {}", path, scene.variant, fmt::join(names, ", ")));
+        throw InputError(fmt::format("{}: no variant '{}', expected one of {}", path, scene.variant,
+                                     fmt::join(names, ", ")));
     }
     document.overlay({"variants", scene.variant});
     for (const std::string& assignment : overrides) document.set(assignment);
@@ -190,7 +196,8 @@ Scene read_scene(const fs::path& path, const std::optional<std::string>& variant
 }
 
 CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
-    // What two-phase runs with the default scheme reach per core on AVX-512 at 28 neighbours; measured by `wetdeck run`.
+    // What two-phase runs with the default scheme reach per core on AVX-512 at 28 neighbours; measured by
+    // `wetdeck run`.
     constexpr double particle_steps_per_core_second = 6e6;
     const auto area = [](const std::vector<Box>& boxes) {
         double sum = 0;

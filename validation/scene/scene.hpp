@@ -60,31 +60,33 @@ struct Scene {
     std::vector<Box> water_boxes, air_boxes;
     InitialPressure initial;
     std::vector<ProbeSpec> probes;
-    double end_time = 0;         ///< [s]
-    double sample_interval = 0;  ///< of the probes [s]
+    double end_time = 0;                ///< [s]
+    double sample_interval = 0;         ///< of the probes [s]
     std::vector<double> frame_times;    ///< of the field files [s], sorted
     std::vector<double> picture_times;  ///< of the frames that the report shows [s]
-    std::string text;      ///< the file as read
-    std::string path;      ///< where it was read
-    std::string resolved;  ///< the document after variant and --set: what decides a run
+    std::string text;                   ///< the file as read
+    std::string path;                   ///< where it was read
+    std::string resolved;               ///< the document after variant and --set: what decides a run
 
     const std::string& name() const { return analysis.scene; }
 };
 
-/// Reads and checks a scene file for one variant (the default one if not named), with KEY=VALUE overrides on top.
-/// Throws InputError "file:line: key 'a.b': what was expected".
+/// Reads and checks a scene file for one variant (the default one if not named), with KEY=VALUE overrides on
+/// top. Throws InputError "file:line: key 'a.b': what was expected".
 Scene read_scene(const std::filesystem::path& path, const std::optional<std::string>& variant = std::nullopt,
                  const std::vector<std::string>& overrides = {});
 
 /// The same from a text that was stored with a run.
-Scene parse_scene(const std::string& text, const std::string& path, const std::optional<std::string>& variant = std::nullopt,
+Scene parse_scene(const std::string& text, const std::string& path,
+                  const std::optional<std::string>& variant = std::nullopt,
                   const std::vector<std::string>& overrides = {});
 
 /// Names of the scenes that come with the program, and where a name or path leads.
 std::vector<std::string> scene_names();
 std::filesystem::path find_scene(const std::string& name_or_path);
 
-/// Where installed or source data lie: scenes/ and reference_data/. The environment variable WETDECK_DATA names another root.
+/// Where installed or source data lie: scenes/ and reference_data/. The environment variable WETDECK_DATA
+/// names another root.
 std::filesystem::path scene_directory();
 std::filesystem::path reference_directory();
 

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "solver/core/errors.hpp"
 
@@ -60,12 +60,14 @@ toml::table parse(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-// --- tables ---------------------------------------------------------------------------------------------------------
+// --- tables
+// ---------------------------------------------------------------------------------------------------------
 
 void TomlTable::fail(const std::string& key, const std::string& message) const {
     const toml::node* entry = node_->table->get(key);
     const toml::source_region& region = entry ? entry->source() : node_->table->source();
-    throw InputError(fmt::format("{}: key '{}{}': {}", place(*node_->path, region), node_->prefix, key, message));
+    throw InputError(
+        fmt::format("{}: key '{}{}': {}", place(*node_->path, region), node_->prefix, key, message));
 }
 
 bool TomlTable::has(const std::string& key) const {
@@ -125,8 +127,8 @@ std::string TomlTable::choice(const std::string& key, const std::vector<std::str
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, std::optional<std::size_t> count) const {
-    const std::string expected =
-        count ? fmt::format("expected a list of {} numbers", *count) : std::string("expected a list of numbers");
+    const std::string expected = count ? fmt::format("expected a list of {} numbers", *count)
+                                       : std::string("expected a list of numbers");
     if (!has(key)) fail(key, "missing, " + expected);
     const toml::array* array = node_->table->get(key)->as_array();
     if (!array || (count && array->size() != *count)) fail(key, expected);
@@ -192,14 +194,16 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
     for (const toml::node& entry : *array) {
         if (!entry.is_table()) fail(key, "expected an array of tables");
         const std::string prefix = fmt::format("{}{}[{}].", node_->prefix, key, children.size());
-        children.push_back(TomlTable(std::make_shared<Node>(Node{entry.as_table(), prefix, node_->path, {}})));
+        children.push_back(
+            TomlTable(std::make_shared<Node>(Node{entry.as_table(), prefix, node_->path, {}})));
     }
     return children;
 }
 
 std::vector<std::string> TomlTable::keys() const {
     std::vector<std::pair<unsigned, std::string>> lines;
-    for (const auto& [key, value] : *node_->table) lines.emplace_back(value.source().begin.line, std::string(key.str()));
+    for (const auto& [key, value] : *node_->table)
+        lines.emplace_back(value.source().begin.line, std::string(key.str()));
     std::sort(lines.begin(), lines.end());
     std::vector<std::string> names;
     for (auto& [line, name] : lines) names.push_back(std::move(name));
@@ -213,10 +217,12 @@ void TomlTable::finish() const {
     }
 }
 
-// --- document -------------------------------------------------------------------------------------------------------
+// --- document
+// -------------------------------------------------------------------------------------------------------
 
 TomlDocument::TomlDocument(const std::string& text, const std::string& path)
-    : state_(std::make_unique<State>(State{parse(text, path), text, std::make_shared<const std::string>(path)})) {}
+    : state_(std::make_unique<State>(
+          State{parse(text, path), text, std::make_shared<const std::string>(path)})) {}
 TomlDocument::~TomlDocument() = default;
 TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
 
@@ -225,7 +231,8 @@ void TomlDocument::overlay(const std::vector<std::string>& path_to_table) {
     toml::table* source = &again;
     for (const std::string& key : path_to_table) {
         toml::node* child = source->get(key);
-        if (!child || !child->is_table()) throw InputError(fmt::format("{}: no table '{}'", *state_->path, key));
+        if (!child || !child->is_table())
+            throw InputError(fmt::format("{}: no table '{}'", *state_->path, key));
         source = child->as_table();
     }
     merge(state_->root, *source);
@@ -235,14 +242,16 @@ void TomlDocument::set(const std::string& assignment) {
     const std::string where = fmt::format("option --set {}", assignment);
     const std::size_t equals = assignment.find('=');
     const bool one_line = assignment.find('\n') == std::string::npos;
-    if (equals == std::string::npos || equals == 0 || !one_line) throw InputError(where + ": expected KEY=VALUE");
+    if (equals == std::string::npos || equals == 0 || !one_line)
+        throw InputError(where + ": expected KEY=VALUE");
     toml::table parsed;
     try {
         parsed = toml::parse(assignment, where);
     } catch (const toml::parse_error&) {
         // a bare word is a text
         const std::string value = assignment.substr(equals + 1);
-        if (value.find_first_of("\"'\\") != std::string::npos) throw InputError(where + ": the value is not valid TOML");
+        if (value.find_first_of("\"'\\") != std::string::npos)
+            throw InputError(where + ": the value is not valid TOML");
         parsed = parse(fmt::format("{}=\"{}\"", assignment.substr(0, equals), value), where);
     }
     merge(state_->root, parsed);

@@ -27,7 +27,8 @@ class TomlTable {
     /// One of the names given, else the error lists them.
     std::string choice(const std::string& key, const std::vector<std::string>& names,
                        const std::optional<std::string>& fallback = std::nullopt) const;
-    std::vector<double> numbers(const std::string& key, std::optional<std::size_t> count = std::nullopt) const;
+    std::vector<double> numbers(const std::string& key,
+                                std::optional<std::size_t> count = std::nullopt) const;
     std::vector<std::vector<double>> number_rows(const std::string& key, std::size_t count) const;
     std::vector<std::string> texts(const std::string& key) const;
 

@@ -19,8 +19,8 @@ herr_t find_error_number(unsigned, const H5E_error2_t* entry, void* found) {
     return 0;
 }
 
-/// HDF5 prints its error stack by default, per thread; ours become exceptions instead. Its exit handler closes what a full
-/// disk left open and crashes on it: it is not registered.
+/// HDF5 prints its error stack by default, per thread; ours become exceptions instead. Its exit handler
+/// closes what a full disk left open and crashes on it: it is not registered.
 void silence() {
     [[maybe_unused]] static const herr_t without_exit_handler = H5dont_atexit();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

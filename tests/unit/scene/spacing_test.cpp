@@ -40,14 +40,12 @@ TEST_CASE("a spacing that would make too many particles is refused before they a
 }
 
 TEST_CASE("a gauge smaller than the spacing is refused") {
-    REQUIRE_THROWS_AS(
-        check_spacing(
-            small({"probes=[{name=\"g\", type=\"wall_pressure\", centre=[1.0,0.1], diameter=0.03}]"}), 0.04),
-        InputError);
-    REQUIRE_THROWS_WITH(
-        check_spacing(
-            small({"probes=[{name=\"g\", type=\"wall_pressure\", centre=[1.0,0.1], diameter=0.03}]"}), 0.04),
-        Contains("a pressure gauge of 0.03 m is smaller than the particle spacing 0.04 m"));
+    const Scene scene =
+        small({"probes=[{name=\"front\", type=\"front\"}, "
+               "{name=\"g\", type=\"wall_pressure\", centre=[1.0,0.1], diameter=0.03}]"});
+    REQUIRE_THROWS_AS(check_spacing(scene, 0.04), InputError);
+    REQUIRE_THROWS_WITH(check_spacing(scene, 0.04),
+                        Contains("a pressure gauge of 0.03 m is smaller than the particle spacing 0.04 m"));
 }
 
 TEST_CASE("a scene is assembled with the particles that its boxes hold") {
