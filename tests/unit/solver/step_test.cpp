@@ -54,6 +54,7 @@ TEST_CASE("A step is half a kick, half a drift, density from the middle, half a 
     REQUIRE(dt < simulation.time_step().size);
     REQUIRE_FALSE(simulation.step(dt));
 
+    hand.rates.density.resize(hand.setup.fluid.size());
     hand.compress(0);  // volume and pressure of the densities given
     hand.evaluate();
     hand.kick(0.5 * dt);
