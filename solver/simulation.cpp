@@ -21,6 +21,12 @@ bool needs_wall_means(const Model& model) {
     return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;
 }
 
+double checked_spacing(double particle_spacing) {
+    const bool good = particle_spacing > 0 && std::isfinite(particle_spacing);
+    if (!good) throw InputError("particle_spacing must be positive");
+    return particle_spacing;
+}
+
 class StageTimer {
   public:
     explicit StageTimer(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
@@ -50,7 +56,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
     : model_(model),
       fluid_(std::move(fluid)),
       walls_(std::move(walls)),
-      particle_spacing_(particle_spacing),
+      particle_spacing_(checked_spacing(particle_spacing)),
       domain_(domain),
       kernel_{model.smoothing_ratio * particle_spacing},
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()),
@@ -58,7 +64,6 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
       list_(domain, particle_spacing, kernel_.support_radius(), model.skin * kernel_.smoothing_length,
             needs_wall_means(model)) {
     if (fluid_.size() == 0) throw InputError("a simulation needs fluid particles");
-    if (!(particle_spacing > 0)) throw InputError("particle_spacing must be positive");
     const double h = kernel_.smoothing_length;
     for (std::size_t i = 0; i < phase_count; ++i) {
         for (std::size_t j = 0; j < phase_count; ++j) {
@@ -129,6 +134,7 @@ void Simulation::update_density(double dt) {
 }
 
 void Simulation::evaluate() {
+    fastest_ = {};
     for (std::size_t i = 0; i < fluid_.size(); ++i) {
         const double speed = fluid_.state[i].velocity().norm();
         double& fastest = fastest_[static_cast<std::size_t>(fluid_.phase(i))];
@@ -157,11 +163,24 @@ void Simulation::mark_impacts() {
     }
 }
 
-/// Half a kick and half a drift. Returns whether the list will still be complete at the end of the step.
+/// Half a kick and half a drift. Returns whether the list is still complete.
 bool Simulation::kick_and_drift(double dt) {
     const StageTimer timer(stages_.integration);
     if (model_.dissipation_switch) mark_impacts();
     const double half = 0.5 * dt;
+    const auto size = static_cast<std::int64_t>(fluid_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_)
+    for (std::int64_t n = 0; n < size; ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        fluid_.state[i].vx += half * fluid_.acceleration_x[i];
+        fluid_.state[i].vy += half * fluid_.acceleration_y[i];
+    }
+    return drift(half);
+}
+
+/// Moves all fluid. Returns whether the list is still complete: no particle further from where it was built
+/// than allowed.
+bool Simulation::drift(double duration) {
     const double* built = list_.built_positions();
     double farthest = 0;
     const auto size = static_cast<std::int64_t>(fluid_.size());
@@ -169,26 +188,17 @@ bool Simulation::kick_and_drift(double dt) {
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         FluidState& p = fluid_.state[i];
-        p.vx += half * fluid_.acceleration_x[i];
-        p.vy += half * fluid_.acceleration_y[i];
-        p.x += half * p.vx;
-        p.y += half * p.vy;
+        p.x += duration * p.vx;
+        p.y += duration * p.vy;
         const double mx = p.x - built[2 * i], my = p.y - built[2 * i + 1];
-        const double ex = mx + half * p.vx, ey = my + half * p.vy;
-        farthest = std::max(farthest, std::max(mx * mx + my * my, ex * ex + ey * ey));
+        farthest = std::max(farthest, mx * mx + my * my);
     }
     return farthest <= list_.allowance() * list_.allowance();
 }
 
-void Simulation::drift(double dt) {
+bool Simulation::second_drift(double duration) {
     const StageTimer timer(stages_.integration);
-    const auto size = static_cast<std::int64_t>(fluid_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_)
-    for (std::int64_t n = 0; n < size; ++n) {
-        FluidState& p = fluid_.state[static_cast<std::size_t>(n)];
-        p.x += 0.5 * dt * p.vx;
-        p.y += 0.5 * dt * p.vy;
-    }
+    return drift(duration);
 }
 
 /// The last half kick; finds the largest speeds and whether anything has left its range.
@@ -197,6 +207,8 @@ std::optional<Instability> Simulation::kick(double dt) {
     const auto size = static_cast<std::int64_t>(fluid_.size());
     double fastest_water = 0, fastest_air = 0;
     std::int64_t first_bad = size;
+    const Vec2 margin = Vec2::Constant(kernel_.support_radius());
+    const Vec2 low = domain_.low - margin, high = domain_.high + margin;
     const double densities[] = {model_.water.eos.reference_density, model_.air.eos.reference_density};
 #pragma omp parallel for schedule(static) num_threads(threads_) reduction(max                           \
                                                                           : fastest_water, fastest_air) \
@@ -213,16 +225,19 @@ std::optional<Instability> Simulation::kick(double dt) {
         fastest = std::max(fastest, speed2);
         const double ratio = p.density / densities[water ? 0 : 1];
         const bool good = ratio > lowest_density_ratio && ratio < highest_density_ratio &&
-                          speed2 < std::numeric_limits<double>::max();
+                          speed2 < std::numeric_limits<double>::max() && p.x > low.x() && p.y > low.y() &&
+                          p.x < high.x() && p.y < high.y();
         if (!good) first_bad = std::min(first_bad, n);
     }
     fastest_ = {std::sqrt(fastest_water), std::sqrt(fastest_air)};
     if (first_bad == size) return std::nullopt;
     const auto i = static_cast<std::size_t>(first_bad);
+    const FluidState& bad = fluid_.state[i];
+    const bool escaped = (bad.position() - low).minCoeff() <= 0 || (high - bad.position()).minCoeff() <= 0;
     char text[160];
-    std::snprintf(text, sizeof text, "%s density %.4g kg/m3 and speed %.4g m/s left the range of a fluid",
-                  i < fluid_.water ? "water" : "air", fluid_.state[i].density,
-                  fluid_.state[i].velocity().norm());
+    std::snprintf(text, sizeof text, "%s density %.4g kg/m3 and speed %.4g m/s %s",
+                  i < fluid_.water ? "water" : "air", bad.density, bad.velocity().norm(),
+                  escaped ? "escaped from the tank" : "left the range of a fluid");
     return Instability{time_ + dt, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
 }
 
@@ -242,7 +257,7 @@ std::optional<Instability> Simulation::step(double longest) {
     if (model_.wall_velocity == WallVelocity::mirrored) wall_pass();
     density_pass();
     update_density(dt);
-    drift(dt);
+    if (!second_drift(0.5 * dt)) build_list();
     wall_pass();
     momentum_pass();
     std::optional<Instability> trouble = kick(dt);

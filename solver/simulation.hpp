@@ -83,7 +83,8 @@ class Simulation {
     PassInput pass_input();
     void build_list();
     bool kick_and_drift(double dt);
-    void drift(double dt);
+    bool drift(double duration);
+    bool second_drift(double duration);
     std::optional<Instability> kick(double dt);
     void mark_impacts();
     void density_pass();

@@ -15,9 +15,10 @@ namespace wetdeck {
 /// surface.
 double greco_pressure(double density, double gravity, double height, double distance_to_face, double y);
 
-/// Sets each particle's density so that its pressure is gauge + background. The volume stays and the mass follows:
-/// compressed fluid on an even lattice is heavier. With equal masses the lattice would be too wide for its density, and
-/// settle: a still column then reads 1.3 % too high at depth by T = 8 instead of 0.5 % (dx = 0.04).
+/// Sets each particle's density so that its pressure is gauge + background. The volume stays and the mass
+/// follows: compressed fluid on an even lattice is heavier. With equal masses the lattice would be too wide
+/// for its density, and settle: a still column then reads 1.3 % too high at depth by T = 8 instead of 0.5 %
+/// (dx = 0.04).
 /// @param gauge  gauge pressure at a position [Pa]
 template <class GaugePressure>
 void set_initial_pressure(FluidParticles& fluid, const Model& model, GaugePressure gauge) {

@@ -45,7 +45,8 @@ void merge(toml::table& target, toml::table& source) {
         if (existing && existing->is_table() && value.is_table()) {
             merge(*existing->as_table(), *value.as_table());
         } else {
-            value.visit([&](auto& entry) { target.insert_or_assign(key.str(), std::move(entry)); });
+            const toml::key& name = key;  // clang 14 cannot capture a structured binding
+            value.visit([&](auto& entry) { target.insert_or_assign(name.str(), std::move(entry)); });
         }
     }
 }
