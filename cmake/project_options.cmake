@@ -7,6 +7,8 @@ target_compile_options(wetdeck_options INTERFACE
 set(WETDECK_SANITIZE "" CACHE STRING "Sanitizers to build with, for example address,undefined")
 if(WETDECK_SANITIZE)
   target_compile_options(wetdeck_options INTERFACE -fsanitize=${WETDECK_SANITIZE} -fno-omit-frame-pointer
-                         -fno-sanitize-recover=all)
+                         -fno-sanitize-recover=all
+                         # g++ 12 takes std::regex for uninitialised once it is instrumented
+                         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(wetdeck_options INTERFACE -fsanitize=${WETDECK_SANITIZE})
 endif()
