@@ -163,8 +163,7 @@ void Simulation::mark_impacts() {
     }
 }
 
-/// Half a kick and half a drift. Returns whether the list is still complete.
-bool Simulation::kick_and_drift(double dt) {
+void Simulation::first_kick(double dt) {
     const StageTimer timer(stages_.integration);
     if (model_.dissipation_switch) mark_impacts();
     const double half = 0.5 * dt;
@@ -175,12 +174,12 @@ bool Simulation::kick_and_drift(double dt) {
         fluid_.state[i].vx += half * fluid_.acceleration_x[i];
         fluid_.state[i].vy += half * fluid_.acceleration_y[i];
     }
-    return drift(half);
 }
 
 /// Moves all fluid. Returns whether the list is still complete: no particle further from where it was built
 /// than allowed.
 bool Simulation::drift(double duration) {
+    const StageTimer timer(stages_.integration);
     const double* built = list_.built_positions();
     double farthest = 0;
     const auto size = static_cast<std::int64_t>(fluid_.size());
@@ -196,13 +195,8 @@ bool Simulation::drift(double duration) {
     return farthest <= list_.allowance() * list_.allowance();
 }
 
-bool Simulation::second_drift(double duration) {
-    const StageTimer timer(stages_.integration);
-    return drift(duration);
-}
-
 /// The last half kick; finds the largest speeds and whether anything has left its range.
-std::optional<Instability> Simulation::kick(double dt) {
+std::optional<Instability> Simulation::last_kick(double dt) {
     const StageTimer timer(stages_.integration);
     const auto size = static_cast<std::int64_t>(fluid_.size());
     double fastest_water = 0, fastest_air = 0;
@@ -253,14 +247,15 @@ std::optional<Instability> Simulation::step(double longest) {
                                              fluid_.water < fluid_.size());
     time_step_ = stable;
     const double dt = std::min(longest, stable.size);
-    if (!kick_and_drift(dt)) build_list();
+    first_kick(dt);
+    if (!drift(0.5 * dt)) build_list();
     if (model_.wall_velocity == WallVelocity::mirrored) wall_pass();
     density_pass();
     update_density(dt);
-    if (!second_drift(0.5 * dt)) build_list();
+    if (!drift(0.5 * dt)) build_list();
     wall_pass();
     momentum_pass();
-    std::optional<Instability> trouble = kick(dt);
+    std::optional<Instability> trouble = last_kick(dt);
     time_ += dt;
     ++steps_;
     ++limits_[static_cast<std::size_t>(stable.criterion)];

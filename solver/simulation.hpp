@@ -82,10 +82,9 @@ class Simulation {
   private:
     PassInput pass_input();
     void build_list();
-    bool kick_and_drift(double dt);
+    void first_kick(double dt);
     bool drift(double duration);
-    bool second_drift(double duration);
-    std::optional<Instability> kick(double dt);
+    std::optional<Instability> last_kick(double dt);
     void mark_impacts();
     void density_pass();
     void wall_pass();
