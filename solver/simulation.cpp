@@ -27,6 +27,13 @@ double checked_spacing(double particle_spacing) {
     return particle_spacing;
 }
 
+void check_body(const RigidBody& body) {
+    const bool translates = body.free[0] || body.free[1];
+    if (translates && !(body.mass > 0)) throw InputError("a body that is free to move needs a positive mass");
+    if (body.free[2] && !(body.inertia > 0))
+        throw InputError("a body that is free to turn needs a positive inertia");
+}
+
 class StageTimer {
   public:
     explicit StageTimer(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
@@ -52,17 +59,24 @@ std::string Instability::describe() const {
 }
 
 Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
-                       Box domain)
+                       Box domain, std::vector<RigidBody> bodies)
     : model_(model),
       fluid_(std::move(fluid)),
       walls_(std::move(walls)),
+      bodies_(std::move(bodies)),
+      body_radii_(bodies_.size(), 0),
       particle_spacing_(checked_spacing(particle_spacing)),
       domain_(domain),
       kernel_{model.smoothing_ratio * particle_spacing},
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()),
       loops_(pair_loops(model)),
       list_(domain, particle_spacing, kernel_.support_radius(), model.skin * kernel_.smoothing_length,
-            needs_wall_means(model)) {
+            needs_wall_means(model) || !bodies_.empty()) {
+    for (const BodyPoint& point : walls_.body_point) {
+        double& radius = body_radii_.at(point.body);
+        radius = std::max(radius, std::hypot(point.x, point.y));
+    }
+    for (const RigidBody& body : bodies_) check_body(body);
     if (fluid_.size() == 0) throw InputError("a simulation needs fluid particles");
     const double h = kernel_.smoothing_length;
     for (std::size_t i = 0; i < phase_count; ++i) {
@@ -80,8 +94,11 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
     coefficients_.threads = threads_;
     coefficients_.wall_pressure_mean = {model_.wall_pressure != WallPressure::one_sided,
                                         model_.wall_pressure == WallPressure::shepard};
-    list_.place(walls_);
+    coefficients_.fixed_walls = walls_.fixed;
+    list_.place_fixed(walls_);
     update_density(0);
+    built_bodies_ = bodies_;
+    place_bodies();
     build_list();
     evaluate();
 }
@@ -96,12 +113,18 @@ PassInput Simulation::pass_input() {
     in.density_rate = fluid_.density_rate.data();
     in.acceleration_x = fluid_.acceleration_x.data();
     in.acceleration_y = fluid_.acceleration_y.data();
+    in.wall_force_x = walls_.force_x.data();
+    in.wall_force_y = walls_.force_y.data();
     return in;
 }
 
 void Simulation::build_list() {
     const StageTimer timer(stages_.neighbours);
     list_.build(fluid_, walls_, loops_, threads_);
+    built_bodies_ = bodies_;
+    // particles that no fluid is near are left out of the list
+    std::fill(walls_.force_x.begin(), walls_.force_x.end(), 0.0);
+    std::fill(walls_.force_y.begin(), walls_.force_y.end(), 0.0);
     ++list_builds_;
 }
 
@@ -119,6 +142,48 @@ void Simulation::wall_pass() {
 void Simulation::momentum_pass() {
     const StageTimer timer(stages_.momentum);
     loops_.accelerations(pass_input());
+}
+
+/// Forces of the fluid on the bodies, Eqs. (20)-(21), and the accelerations that follow.
+void Simulation::load_bodies() {
+    if (bodies_.empty()) return;
+    const StageTimer timer(stages_.bodies);
+    loops_.body_forces(pass_input());
+    body_loads_.assign(bodies_.size(), {});
+    for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
+        const std::uint32_t body = walls_.body_point[n - walls_.fixed].body;
+        const Vec2 force(walls_.force_x[n], walls_.force_y[n]);
+        const Vec2 arm = Vec2(walls_.state[n].x, walls_.state[n].y) - bodies_[body].position;
+        body_loads_[body].force += force;
+        body_loads_[body].torque += arm.x() * force.y() - arm.y() * force.x();
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        bodies_[b].load(body_loads_[b].force, body_loads_[b].torque, model_.gravity);
+}
+
+/// Puts the boundary particles where the poses say, Eqs. (22)-(23). Returns whether the list is still
+/// complete.
+bool Simulation::place_bodies() {
+    body_axes_.clear();
+    for (const RigidBody& body : bodies_) body_axes_.push_back(body.axes());
+    for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
+        const BodyPoint& point = walls_.body_point[n - walls_.fixed];
+        const RigidBody& body = bodies_[point.body];
+        const Eigen::Matrix2d& axes = body_axes_[point.body];
+        const Vec2 arm = axes * Vec2(point.x, point.y), normal = axes * Vec2(point.nx, point.ny);
+        const Vec2 place = body.position + arm, velocity = body.velocity_at(arm);
+        const Vec2 acceleration = body.acceleration_at(arm);
+        walls_.state[n] = {place.x(),  place.y(),  velocity.x(),     velocity.y(),
+                           normal.x(), normal.y(), acceleration.x(), acceleration.y()};
+    }
+    bool complete = true;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const double turned = std::abs(std::sin(0.5 * (bodies_[b].angle - built_bodies_[b].angle)));
+        const double farthest =
+            (bodies_[b].position - built_bodies_[b].position).norm() + 2 * body_radii_[b] * turned;
+        complete = complete && farthest <= list_.allowance();
+    }
+    return complete;
 }
 
 void Simulation::update_density(double dt) {
@@ -143,6 +208,7 @@ void Simulation::evaluate() {
     wall_pass();
     density_pass();
     momentum_pass();
+    load_bodies();
     time_step_ = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
                                   fluid_.water < fluid_.size());
 }
@@ -167,6 +233,7 @@ void Simulation::first_kick(double dt) {
     const StageTimer timer(stages_.integration);
     if (model_.dissipation_switch) mark_impacts();
     const double half = 0.5 * dt;
+    for (RigidBody& body : bodies_) body.kick(half);
     const auto size = static_cast<std::int64_t>(fluid_.size());
 #pragma omp parallel for schedule(static) num_threads(threads_)
     for (std::int64_t n = 0; n < size; ++n) {
@@ -176,8 +243,8 @@ void Simulation::first_kick(double dt) {
     }
 }
 
-/// Moves all fluid. Returns whether the list is still complete: no particle further from where it was built
-/// than allowed.
+/// Moves all fluid and the bodies. Returns whether the list is still complete: no particle further from where
+/// it was built than allowed.
 bool Simulation::drift(double duration) {
     const StageTimer timer(stages_.integration);
     const double* built = list_.built_positions();
@@ -192,7 +259,9 @@ bool Simulation::drift(double duration) {
         const double mx = p.x - built[2 * i], my = p.y - built[2 * i + 1];
         farthest = std::max(farthest, mx * mx + my * my);
     }
-    return farthest <= list_.allowance() * list_.allowance();
+    for (RigidBody& body : bodies_) body.drift(duration);
+    const bool bodies_near = place_bodies();
+    return bodies_near && farthest <= list_.allowance() * list_.allowance();
 }
 
 /// The last half kick; finds the largest speeds and whether anything has left its range.
@@ -204,6 +273,7 @@ std::optional<Instability> Simulation::last_kick(double dt) {
     const Vec2 margin = Vec2::Constant(kernel_.support_radius());
     const Vec2 low = domain_.low - margin, high = domain_.high + margin;
     const double densities[] = {model_.water.eos.reference_density, model_.air.eos.reference_density};
+    for (RigidBody& body : bodies_) body.kick(0.5 * dt);
 #pragma omp parallel for schedule(static) num_threads(threads_) reduction(max                           \
                                                                           : fastest_water, fastest_air) \
     reduction(min                                                                                       \
@@ -255,6 +325,7 @@ std::optional<Instability> Simulation::step(double longest) {
     if (!drift(0.5 * dt)) build_list();
     wall_pass();
     momentum_pass();
+    load_bodies();
     std::optional<Instability> trouble = last_kick(dt);
     time_ += dt;
     ++steps_;

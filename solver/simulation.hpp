@@ -4,6 +4,7 @@
 //
 // One step (velocity Verlet as in Adami, Hu and Adams, 2012): half kick and half drift; density from the
 // rates at the middle; half drift; accelerations at the end; half kick. Two passes over the pairs per step.
+// Rigid bodies go through the same kicks and drifts.
 #pragma once
 
 #include <array>
@@ -13,6 +14,7 @@
 #include <optional>
 #include <string>
 
+#include "solver/bodies/rigid_body.hpp"
 #include "solver/core/model.hpp"
 #include "solver/core/particles.hpp"
 #include "solver/neighbours/neighbour_list.hpp"
@@ -34,16 +36,18 @@ struct Instability {
 };
 
 struct StageTimes {
-    double neighbours = 0, density = 0, momentum = 0, walls = 0, integration = 0,
+    double neighbours = 0, density = 0, momentum = 0, walls = 0, bodies = 0, integration = 0,
            probes = 0;  ///< wall seconds
 };
 
 class Simulation {
   public:
+    /// @param walls   of the tank, then of the bodies, whose particles are placed by the bodies' poses
     /// @param domain  interior of the tank [m]; particles that leave it by more than a support radius stop
-    /// the run Throws InputError where the model contradicts itself.
+    /// the run
+    /// Throws InputError where the model contradicts itself or a body that is free to move has no mass.
     Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
-               Box domain);
+               Box domain, std::vector<RigidBody> bodies = {});
 
     /// Called after the first evaluation and after every step.
     using Observer = std::function<void(const Simulation&)>;
@@ -57,6 +61,7 @@ class Simulation {
     const Model& model() const { return model_; }
     const FluidParticles& fluid() const { return fluid_; }
     const WallParticles& walls() const { return walls_; }
+    const std::vector<RigidBody>& bodies() const { return bodies_; }
     Box domain() const { return domain_; }
     double particle_spacing() const { return particle_spacing_; }
     WendlandC2 kernel() const { return kernel_; }
@@ -90,10 +95,21 @@ class Simulation {
     void wall_pass();
     void momentum_pass();
     void update_density(double dt);
+    void load_bodies();
+    bool place_bodies();
 
     Model model_;
     FluidParticles fluid_;
     WallParticles walls_;
+    std::vector<RigidBody> bodies_;
+    std::vector<double> body_radii_;  ///< of the farthest boundary particle about the mass centre [m]
+    struct Load {
+        Vec2 force = Vec2::Zero();
+        double torque = 0;
+    };
+    std::vector<Load> body_loads_;            ///< scratch of load_bodies
+    std::vector<Eigen::Matrix2d> body_axes_;  ///< scratch of place_bodies
+    std::vector<RigidBody> built_bodies_;     ///< as they were when the list was built
     double particle_spacing_;
     Box domain_;
     WendlandC2 kernel_;

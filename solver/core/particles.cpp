@@ -24,6 +24,8 @@ void FluidParticles::add(Phase phase, Vec2 position, double particle_mass, doubl
 }
 
 void WallParticles::add(Vec2 position, Vec2 normal) {
+    if (fixed != size()) throw InputError("tank walls must be added before bodies");
+    ++fixed;
     WallState particle;
     particle.x = position.x();
     particle.y = position.y();
@@ -31,7 +33,18 @@ void WallParticles::add(Vec2 position, Vec2 normal) {
     particle.ny = normal.y();
     state.push_back(particle);
     mean.emplace_back();
+    force_x.push_back(0);
+    force_y.push_back(0);
     id.push_back(static_cast<std::uint32_t>(id.size()));
+}
+
+void WallParticles::add_body_point(std::uint32_t body, Vec2 position, Vec2 normal) {
+    state.emplace_back();
+    mean.emplace_back();
+    force_x.push_back(0);
+    force_y.push_back(0);
+    id.push_back(static_cast<std::uint32_t>(id.size()));
+    body_point.push_back({position.x(), position.y(), normal.x(), normal.y(), body});
 }
 
 }  // namespace wetdeck

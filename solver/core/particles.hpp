@@ -61,14 +61,28 @@ struct WallMean {
     double vx = 0, vy = 0;  ///< [m/s]
 };
 
-/// Dummy particles of walls and bodies. All have the volume particle_spacing^2.
+/// Place and normal of a boundary particle in the frame of its body.
+struct BodyPoint {
+    double x = 0, y = 0;
+    double nx = 0, ny = 0;
+    std::uint32_t body = 0;  ///< number of the body
+};
+
+/// Dummy particles: indices [0, fixed) are the tank's walls, [fixed, size) belong to bodies. All have the
+/// volume particle_spacing^2.
 struct WallParticles {
     std::vector<WallState> state;
-    std::vector<WallMean> mean;  ///< where the model uses it
+    std::vector<WallMean> mean;            ///< where the model uses it
+    std::vector<double> force_x, force_y;  ///< of the fluid on each; bodies only [N/m]
+    std::vector<BodyPoint> body_point;     ///< of [fixed, size)
     std::vector<std::uint32_t> id;
+    std::size_t fixed = 0;
 
     std::size_t size() const { return state.size(); }
+    /// Appends a particle of a tank wall; all of them must be added before the first of a body.
     void add(Vec2 position, Vec2 normal);
+    /// Appends a particle of a body. Both vectors are in the body's frame, whose origin is the mass centre.
+    void add_body_point(std::uint32_t body, Vec2 position, Vec2 normal);
 };
 
 }  // namespace wetdeck

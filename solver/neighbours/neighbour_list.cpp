@@ -67,23 +67,42 @@ NeighbourList::Cell NeighbourList::cell_of(double x, double y) const {
     return {clamped(x - origin_.x(), cell_width_, strips_), clamped(y - origin_.y(), cell_height_, rows_)};
 }
 
-void NeighbourList::place(WallParticles& walls) {
-    key_.resize(walls.size());
-    for (std::size_t i = 0; i < walls.size(); ++i)
-        key_[i] = cell_index(cell_of(walls.state[i].x, walls.state[i].y));
-    counting_sort(key_, std::size_t{strips_} * rows_, wall_start_, order_);
-    WallParticles sorted = walls;
-    for (std::size_t i = 0; i < walls.size(); ++i) {
-        sorted.state[i] = walls.state[order_[i]];
-        sorted.mean[i] = walls.mean[order_[i]];
-        sorted.id[i] = walls.id[order_[i]];
-    }
-    walls = std::move(sorted);
+void NeighbourList::place_fixed(WallParticles& walls) {
+    sort_walls(walls, 0, walls.fixed, fixed_start_);
 }
 
-void NeighbourList::build(FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
-                          int threads) {
+void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
+                               std::vector<std::uint32_t>& start) {
+    const std::size_t count = end - begin;
+    key_.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        key_[i] = cell_index(cell_of(walls.state[begin + i].x, walls.state[begin + i].y));
+    counting_sort(key_, std::size_t{strips_} * rows_, start, order_);
+    for (std::uint32_t& s : start) s += static_cast<std::uint32_t>(begin);
+    WallParticles& sorted = sorted_walls_;
+    const bool of_bodies = begin >= walls.fixed;
+    sorted.state.resize(count);
+    sorted.mean.resize(count);
+    sorted.id.resize(count);
+    sorted.body_point.resize(of_bodies ? count : 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t from = begin + order_[i];
+        sorted.state[i] = walls.state[from];
+        sorted.mean[i] = walls.mean[from];
+        sorted.id[i] = walls.id[from];
+        if (of_bodies) sorted.body_point[i] = walls.body_point[from - walls.fixed];
+    }
+    const auto offset = static_cast<std::ptrdiff_t>(begin);
+    std::copy(sorted.state.begin(), sorted.state.end(), walls.state.begin() + offset);
+    std::copy(sorted.mean.begin(), sorted.mean.end(), walls.mean.begin() + offset);
+    std::copy(sorted.id.begin(), sorted.id.end(), walls.id.begin() + offset);
+    std::copy(sorted.body_point.begin(), sorted.body_point.end(),
+              walls.body_point.begin() + (of_bodies ? offset - static_cast<std::ptrdiff_t>(walls.fixed) : 0));
+}
+
+void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads) {
     sort_fluid(fluid);
+    if (walls.size() > walls.fixed) sort_walls(walls, walls.fixed, walls.size(), body_start_);
     clusters_.clear();
     append_clusters(clusters_, 0, fluid.water, Phase::water);
     append_clusters(clusters_, fluid.water, fluid.size(), Phase::air);
@@ -119,7 +138,8 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                                     const PairLoops& loops, int threads) {
     if (with_walls_own_lists_) {
         wall_clusters_.clear();
-        append_clusters(wall_clusters_, 0, walls.size(), Phase::water);
+        append_clusters(wall_clusters_, 0, walls.fixed, Phase::water);
+        append_clusters(wall_clusters_, walls.fixed, walls.size(), Phase::water);
     }
     const std::size_t fluid_clusters = clusters_.size();
     const std::size_t total = fluid_clusters + wall_clusters_.size();
@@ -168,8 +188,11 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                 cluster.fluid_neighbours[phase] =
                     fluid.size() == 0 ? 0 : search(&fluid.state[0].x, fluid_start_.data() + phase * cells);
             }
-            cluster.wall_neighbours =
-                of_wall || walls.size() == 0 ? 0 : search(&walls.state[0].x, wall_start_.data());
+            cluster.wall_neighbours = 0;
+            if (of_wall) continue;
+            if (walls.fixed > 0) cluster.wall_neighbours += search(&walls.state[0].x, fixed_start_.data());
+            if (walls.size() > walls.fixed)
+                cluster.wall_neighbours += search(&walls.state[0].x, body_start_.data());
         }
         for (std::size_t n = first; n < last; ++n) {
             (n >= fluid_clusters ? wall_clusters_[n - fluid_clusters] : clusters_[n]).neighbours =

@@ -24,11 +24,12 @@ class NeighbourList {
     NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
                   bool with_walls_own_lists);
 
-    /// Sorts boundary particles along the grid. Needed once, before the first build, and after they moved.
-    void place(WallParticles& walls);
+    /// Sorts the tank's boundary particles along the grid. Needed once, before the first build.
+    void place_fixed(WallParticles& walls);
 
-    /// Sorts the fluid along the grid (ids keep track) and lists all pairs within support and skin.
-    void build(FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops, int threads);
+    /// Sorts the fluid and the particles of bodies along the grid (ids keep track) and lists all pairs within
+    /// support and skin.
+    void build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads);
 
     /// Half the skin: how far a particle may move from where it was at the last build [m].
     double allowance() const { return 0.5 * skin_; }
@@ -37,7 +38,8 @@ class NeighbourList {
     const double* built_positions() const { return built_.data(); }
 
     const std::vector<Cluster>& clusters() const { return clusters_; }
-    /// Clusters of boundary particles that have fluid near, with that fluid as neighbours.
+    /// Clusters of boundary particles that have fluid near, with that fluid as neighbours; none holds
+    /// particles of both tank and bodies.
     const std::vector<Cluster>& wall_clusters() const { return wall_clusters_; }
     std::size_t entries() const;
     std::size_t bytes() const;
@@ -49,6 +51,8 @@ class NeighbourList {
     Cell cell_of(double x, double y) const;
     std::uint32_t cell_index(Cell cell) const { return cell.strip * rows_ + cell.row; }
     void sort_fluid(FluidParticles& fluid);
+    void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
+                    std::vector<std::uint32_t>& start);
     void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
                          int threads);
 
@@ -59,12 +63,13 @@ class NeighbourList {
     bool with_walls_own_lists_;
 
     std::vector<std::uint32_t> fluid_start_;  ///< first particle of (phase, cell), plus an end mark
-    std::vector<std::uint32_t> wall_start_;
+    std::vector<std::uint32_t> fixed_start_, body_start_;  ///< first boundary particle of a cell
     std::vector<Cluster> clusters_, wall_clusters_;
     std::vector<std::vector<std::uint32_t>> block_lists_;  ///< neighbour indices of a block of clusters
     std::vector<double> built_;                            ///< x, y of each fluid particle at the last build
     std::vector<std::uint32_t> key_, order_;
     FluidParticles sorted_;  ///< scratch of the sort, kept to avoid allocation
+    WallParticles sorted_walls_;
 };
 
 }  // namespace wetdeck

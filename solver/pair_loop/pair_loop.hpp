@@ -67,6 +67,9 @@ struct PassInput {
     double* density_rate = nullptr;
     double* acceleration_x = nullptr;
     double* acceleration_y = nullptr;
+    std::size_t fixed_walls = 0;  ///< boundary particles from here on belong to bodies
+    double* wall_force_x = nullptr;
+    double* wall_force_y = nullptr;
     int threads = 1;
 };
 
@@ -78,6 +81,7 @@ struct PairLoops {
     Pass wall_means = nullptr;  ///< Eq. (19); writes wall_mean
     Pass density_rates = nullptr;
     Pass accelerations = nullptr;
+    Pass body_forces = nullptr;  ///< Eq. (20); writes wall_force of bodies that have fluid near
     /// Sets density from its rate, then volume and pressure, for particles [first, last).
     void (*advance_density)(FluidState*, const double* rate, const double* mass, std::size_t first,
                             std::size_t last, double dt, const TaitEquationOfState&, double lowest_density,

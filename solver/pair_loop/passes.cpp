@@ -42,7 +42,8 @@ struct Separation {
 
 /// A particle meets itself in its own list; the smallest distance keeps 1/r finite there, where all else is
 /// zero.
-WETDECK_INLINE Separation separation(const Lanes& i, double x, double y) {
+template <class Eight>
+WETDECK_INLINE Separation separation(const Eight& i, double x, double y) {
     constexpr double least_squared_distance = 1e-60;
     Separation s;
     s.x = i.x - x;
@@ -102,8 +103,10 @@ Pack wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         if constexpr (mirrored) {
             const WallMean& mean = in.wall_mean[neighbours[n]];
             const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
-            stretching += weight * slip * (s.y * w.nx - s.x * w.ny);
-            nearest = minimum(nearest, height);
+            const Pack along = s.y * w.nx - s.x * w.ny;
+            stretching += select(height > 0.0, weight * slip * along, 0.0);
+            // only what lies beneath the particle is near, not the side of an edge that it passes
+            nearest = select(height * height < along * along, nearest, minimum(nearest, height));
         }
     }
     if constexpr (mirrored) {
@@ -138,21 +141,35 @@ void density_rates(const PassInput& in) {
 // --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, Eq. (19)
 // -------------------------
 
+/// Eight boundary particles.
+struct WallLanes {
+    Pack x, y, vx, vy, nx, ny, drive_x, drive_y;  ///< drive: acceleration less gravity
+};
+
+WETDECK_INLINE WallLanes load(const PassInput& in, const Cluster& cluster) {
+    WallLanes w;
+    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
+        const WallState& particle = in.wall[cluster.first + std::min(lane, cluster.count - 1)];
+        w.x.lanes[lane] = particle.x;
+        w.y.lanes[lane] = particle.y;
+        w.vx.lanes[lane] = particle.vx;
+        w.vy.lanes[lane] = particle.vy;
+        w.nx.lanes[lane] = particle.nx;
+        w.ny.lanes[lane] = particle.ny;
+        w.drive_x.lanes[lane] = particle.ax - in.gravity.x();
+        w.drive_y.lanes[lane] = particle.ay - in.gravity.y();
+    }
+    return w;
+}
+
+/// The fluid in front of each particle's face counts: what is behind a thin body belongs to its other face.
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
     const double inverse_h = 1 / in.kernel.smoothing_length;
 #pragma omp parallel for schedule(static) num_threads(in.threads)
     for (std::int64_t n = 0; n < cluster_count; ++n) {
         const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
-        Lanes w;
-        Pack drive_x, drive_y;
-        for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
-            const WallState& particle = in.wall[cluster.first + std::min(lane, cluster.count - 1)];
-            w.x.lanes[lane] = particle.x;
-            w.y.lanes[lane] = particle.y;
-            drive_x.lanes[lane] = particle.ax - in.gravity.x();
-            drive_y.lanes[lane] = particle.ay - in.gravity.y();
-        }
+        const WallLanes w = load(in, cluster);
         Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0;
         const std::uint32_t count =
             cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
@@ -160,8 +177,10 @@ void wall_means(const PassInput& in) {
             const FluidState& f = in.fluid[cluster.neighbours[k]];
             const Separation s = separation(w, f.x, f.y);
             const Pack t = positive_part(2.0 - s.distance * inverse_h);
-            const Pack weight = t * t * t * t * (2.0 * s.distance * inverse_h + 1.0);
-            pressure_sum += weight * (f.pressure - f.density * (drive_x * s.x + drive_y * s.y));
+            const Pack behind = s.x * w.nx + s.y * w.ny;
+            const Pack weight =
+                select(behind > 0.0, 0.0, t * t * t * t * (2.0 * s.distance * inverse_h + 1.0));
+            pressure_sum += weight * (f.pressure - f.density * (w.drive_x * s.x + w.drive_y * s.y));
             weight_sum += weight;
             vx_sum += weight * f.vx;
             vy_sum += weight * f.vy;
@@ -211,6 +230,27 @@ WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std:
     }
 }
 
+/// P* between a fluid particle and a boundary particle; either side may be the pack. (sx, sy) leads from the
+/// wall to the fluid, (vx, vy) is the fluid's velocity relative to the wall. A fluid particle behind the face
+/// takes the one-sided pressure: the mean there is that of the other side of a thin body.
+template <bool no_slip, bool shepard, class Fluid, class Wall>
+WETDECK_INLINE Pack wall_p_star(Fluid pressure, Fluid density, Pack sx, Pack sy, Pack vx, Pack vy,
+                                Pack inverse_distance, Wall nx, Wall ny, Wall drive_x, Wall drive_y,
+                                Wall mean_pressure, const WallCoefficients& c) {
+    const Pack height = sx * nx + sy * ny;
+    const Pack one_sided = one_sided_pressure(Pack(pressure), Pack(density), sx, sy, drive_x, drive_y);
+    Pack p_right = one_sided;
+    if constexpr (shepard) p_right = select(height > 0.0, mean_pressure, one_sided);
+    const Pack receding = vx * nx + vy * ny;
+    const Pack approach = select(height > 0.0, -receding, receding);
+    Pack p_star = 0.5 * (pressure + p_right) + riemann_dissipation(approach, c.limiter);
+    if constexpr (no_slip) {
+        const Pack closing = -(vx * sx + vy * sy) * inverse_distance;
+        p_star += c.viscosity * maximum(2.0 * closing, c.lowest_viscous_jump);
+    }
+    return p_star;
+}
+
 template <bool no_slip, bool shepard>
 void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
                        std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
@@ -219,25 +259,62 @@ void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t*
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
         const Separation s = separation(i, w.x, w.y);
-        Pack p_right;
-        if constexpr (shepard) {
-            p_right = in.wall_mean[neighbours[n]].pressure;
-        } else {
-            p_right = one_sided_pressure(i.pressure, i.density, s.x, s.y, w.ax - in.gravity.x(),
-                                         w.ay - in.gravity.y());
-        }
-        const Pack approach = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
-        Pack p_star = 0.5 * (i.pressure + p_right) + riemann_dissipation(approach, c.limiter);
-        if constexpr (no_slip) {
-            const Pack closing = -((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y) * s.inverse_distance;
-            p_star += c.viscosity * maximum(2.0 * closing, c.lowest_viscous_jump);
-        }
+        const double mean = shepard ? in.wall_mean[neighbours[n]].pressure : 0;
+        const Pack p_star = wall_p_star<no_slip, shepard>(
+            i.pressure, i.density, s.x, s.y, i.vx - w.vx, i.vy - w.vy, s.inverse_distance, w.nx, w.ny,
+            w.ax - in.gravity.x(), w.ay - in.gravity.y(), mean, c);
         const Pack weight = WendlandC2::cubed_reach(s.distance, inverse_h) * p_star;
         wall.x += weight * s.x;
         wall.y += weight * s.y;
     }
     sum.x += in.wall_volume * wall.x;
     sum.y += in.wall_volume * wall.y;
+}
+
+/// The same pairs seen from eight boundary particles: minus twice V_i V_w P* F r_iw / r, less the slope
+/// factor.
+template <bool no_slip, bool shepard>
+void reaction_sum(const PassInput& in, const WallLanes& w, Pack mean, const std::uint32_t* neighbours,
+                  std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const FluidState& f = in.fluid[neighbours[n]];
+        const Separation s = separation(w, f.x, f.y);
+        const Pack p_star =
+            wall_p_star<no_slip, shepard>(f.pressure, f.density, -s.x, -s.y, f.vx - w.vx, f.vy - w.vy,
+                                          s.inverse_distance, w.nx, w.ny, w.drive_x, w.drive_y, mean, c);
+        const Pack weight = f.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * p_star;
+        sum.x += weight * s.x;
+        sum.y += weight * s.y;
+    }
+}
+
+/// Force of the fluid on each boundary particle of a body, Eq. (20): minus the forces of its pairs.
+template <bool no_slip>
+void body_forces(const PassInput& in) {
+    const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
+    const double factor = 2 * in.kernel.slope_factor() * in.wall_volume;
+#pragma omp parallel for schedule(static) num_threads(in.threads)
+    for (std::int64_t n = 0; n < cluster_count; ++n) {
+        const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
+        if (cluster.first < in.fixed_walls) continue;
+        const WallLanes w = load(in, cluster);
+        Pack mean;
+        for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
+            mean.lanes[lane] = in.wall_mean[cluster.first + std::min(lane, cluster.count - 1)].pressure;
+        }
+        const std::uint32_t* neighbours = cluster.neighbours;
+        VectorSum sum;
+        for (std::size_t phase = 0; phase < phase_count; ++phase) {
+            const std::uint32_t count = cluster.fluid_neighbours[phase];
+            const auto reaction =
+                in.wall_pressure_mean[phase] ? reaction_sum<no_slip, true> : reaction_sum<no_slip, false>;
+            reaction(in, w, mean, neighbours, count, in.wall_pair[phase], sum);
+            neighbours += count;
+        }
+        store(factor * sum.x, in.wall_force_x, cluster);
+        store(factor * sum.y, in.wall_force_y, cluster);
+    }
 }
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched, bool no_slip>
@@ -361,6 +438,7 @@ PairLoops choose_pair_loops(const Model& model) {
         },
         model.pressure_mean == Mean::harmonic, model.dissipation != Dissipation::none,
         model.viscosity != Viscosity::none, model.dissipation_switch, model.wall_slip == WallSlip::no);
+    loops.body_forces = model.wall_slip == WallSlip::no ? body_forces<true> : body_forces<false>;
     loops.advance_density = advance_density;
     loops.filter_near = filter_near;
     return loops;

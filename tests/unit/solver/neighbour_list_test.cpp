@@ -38,7 +38,7 @@ struct Listed {
 
     Listed(samples::Setup made, int threads)
         : setup(std::move(made)), list(setup.domain, spacing, support, skin, true) {
-        list.place(setup.walls);
+        list.place_fixed(setup.walls);
         list.build(setup.fluid, setup.walls, pair_loops(setup.model), threads);
     }
 };

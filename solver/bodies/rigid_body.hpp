@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A rigid body in the plane: three degrees of freedom, each moved by forces or kept at its velocity, Yang et
+// al. (2020), Eqs. (4)-(5) and (20)-(23).
+//
+//     M dv/dt = F + M g + F_applied,   I domega/dt = T + T_applied
+//
+// The pose is integrated, never the particles of the surface: they are placed from it, so that nothing
+// drifts.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include "solver/core/vec2.hpp"
+
+namespace wetdeck {
+
+struct RigidBody {
+    double mass = 0;                                ///< [kg/m]
+    double inertia = 0;                             ///< about the mass centre [kg m]
+    std::array<bool, 3> free = {true, true, true};  ///< x, y, rotation; the others keep their velocity
+    Vec2 applied_force = Vec2::Zero();              ///< constant, besides weight [N/m]
+    double applied_torque = 0;                      ///< constant [N]
+
+    Vec2 position = Vec2::Zero();  ///< of the mass centre [m]
+    double angle = 0;              ///< counter-clockwise, never wrapped [rad]
+    Vec2 velocity = Vec2::Zero();  ///< of the mass centre [m/s]
+    double angular_velocity = 0;   ///< [rad/s]
+
+    Vec2 force = Vec2::Zero();  ///< by the fluid, of the last evaluation [N/m]
+    double torque = 0;          ///< by the fluid, about the mass centre [N]
+    Vec2 acceleration = Vec2::Zero();
+    double angular_acceleration = 0;  ///< [rad/s^2]
+
+    Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
+    double angular_impulse = 0;   ///< time integral of `torque` [N s]
+
+    /// Sets the loads by the fluid and the accelerations that follow from them.
+    void load(Vec2 fluid_force, double fluid_torque, Vec2 gravity) {
+        force = fluid_force;
+        torque = fluid_torque;
+        for (int k = 0; k < 2; ++k) {
+            const bool moves = free[static_cast<std::size_t>(k)];
+            acceleration[k] = moves ? (force[k] + applied_force[k]) / mass + gravity[k] : 0;
+        }
+        angular_acceleration = free[2] ? (torque + applied_torque) / inertia : 0;
+    }
+
+    void kick(double duration) {
+        velocity += duration * acceleration;
+        angular_velocity += duration * angular_acceleration;
+        impulse += duration * force;
+        angular_impulse += duration * torque;
+    }
+
+    void drift(double duration) {
+        position += duration * velocity;
+        angle += duration * angular_velocity;
+    }
+
+    /// Axes of the body's frame, as columns; at angle 0 they are those of the scene.
+    Eigen::Matrix2d axes() const { return Eigen::Rotation2Dd(angle).toRotationMatrix(); }
+    /// A point of the body's frame, whose origin is the mass centre, in the scene [m].
+    Vec2 placed(Vec2 point) const { return position + axes() * point; }
+    /// A point of the scene in the body's frame [m].
+    Vec2 local(Vec2 point) const { return axes().transpose() * (point - position); }
+
+    /// Velocity of the body where `arm` leads from the mass centre, Eq. (5) [m/s].
+    Vec2 velocity_at(Vec2 arm) const { return velocity + angular_velocity * Vec2(-arm.y(), arm.x()); }
+    /// Acceleration there: of the centre, of the rotation, and centripetal [m/s^2].
+    Vec2 acceleration_at(Vec2 arm) const {
+        return acceleration + angular_acceleration * Vec2(-arm.y(), arm.x()) -
+               angular_velocity * angular_velocity * arm;
+    }
+
+    double kinetic_energy() const {  ///< [J/m]
+        return 0.5 * (mass * velocity.squaredNorm() + inertia * angular_velocity * angular_velocity);
+    }
+};
+
+}  // namespace wetdeck

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/setup/body_outline.hpp"
+
+#include <algorithm>
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/polygon.hpp>
+#include <cmath>
+#include <cstdio>
+
+#include "solver/core/errors.hpp"
+
+namespace wetdeck {
+namespace {
+
+namespace bg = boost::geometry;
+using Point = bg::model::d2::point_xy<double>;
+using Polygon = bg::model::polygon<Point, false, true>;  // counter-clockwise, closed
+using MultiPolygon = bg::model::multi_polygon<Polygon>;
+
+Polygon polygon_of(const Outline& outline) {
+    Polygon polygon;
+    for (const Vec2& corner : outline) bg::append(polygon.outer(), Point(corner.x(), corner.y()));
+    if (!outline.empty()) bg::append(polygon.outer(), Point(outline[0].x(), outline[0].y()));
+    bg::correct(polygon);
+    return polygon;
+}
+
+/// The region grown by `distance`, or shrunk where it is negative, with mitred corners.
+template <class Region>
+MultiPolygon offset(const Region& region, double distance) {
+    namespace strategy = bg::strategy::buffer;
+    constexpr double sharpest_mitre = 100;
+    MultiPolygon result;
+    bg::buffer(region, result, strategy::distance_symmetric<double>(distance), strategy::side_straight(),
+               strategy::join_miter(sharpest_mitre), strategy::end_flat(), strategy::point_square());
+    return result;
+}
+
+/// A closed ring of distinct points, counter-clockwise.
+std::vector<Vec2> distinct_points(const Polygon::ring_type& ring, double tolerance) {
+    std::vector<Vec2> points;
+    for (const Point& p : ring) {
+        const Vec2 point(p.x(), p.y());
+        if (points.empty() || (point - points.back()).norm() > tolerance) points.push_back(point);
+    }
+    while (points.size() > 1 && (points.front() - points.back()).norm() <= tolerance) points.pop_back();
+    return points;
+}
+
+struct SurfacePoint {
+    Vec2 position, normal;
+};
+
+Vec2 outward_normal(Vec2 from, Vec2 to) {
+    const Vec2 along = (to - from).normalized();
+    return {along.y(), -along.x()};
+}
+
+/// Points a spacing apart along the chain of corners first, first + 1, ..., last of a ring: at its beginning,
+/// and evenly up to its end, which is left to the next chain.
+void space_chain(const std::vector<Vec2>& ring, std::size_t first, std::size_t last, bool sharp_start,
+                 double particle_spacing, std::vector<SurfacePoint>& out) {
+    const auto corner = [&](std::size_t k) { return ring[k % ring.size()]; };
+    double length = 0;
+    for (std::size_t k = first; k < last; ++k) length += (corner(k + 1) - corner(k)).norm();
+    const int count = std::max(1, static_cast<int>(std::lround(length / particle_spacing)));
+    const double step = length / count;
+    std::size_t side = first;
+    double before = 0;  // length of the sides before this one
+    for (int k = 0; k < count; ++k) {
+        const double arc = k * step;
+        while (side + 1 < last && before + (corner(side + 1) - corner(side)).norm() < arc) {
+            before += (corner(side + 1) - corner(side)).norm();
+            ++side;
+        }
+        const Vec2 along = (corner(side + 1) - corner(side)).normalized();
+        Vec2 normal = outward_normal(corner(side), corner(side + 1));
+        if (k == 0 && sharp_start) {
+            const Vec2 previous = outward_normal(corner(first + ring.size() - 1), corner(first));
+            const Vec2 mean = normal + previous;
+            if (mean.norm() > 1e-6) normal = mean.normalized();
+        }
+        out.push_back({corner(side) + (arc - before) * along, normal});
+    }
+}
+
+/// Points a spacing apart around a ring; its sharp corners have one each, with the mean of the two normals.
+std::vector<SurfacePoint> spaced_points(const std::vector<Vec2>& ring, double particle_spacing) {
+    constexpr double sharp = 0.35;  // [rad]: a curve drawn with straight pieces turns less at each of them
+    std::vector<SurfacePoint> points;
+    std::vector<std::size_t> corners;
+    const std::size_t n = ring.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec2 a = outward_normal(ring[(k + n - 1) % n], ring[k]);
+        const Vec2 b = outward_normal(ring[k], ring[(k + 1) % n]);
+        if (std::acos(std::clamp(a.dot(b), -1.0, 1.0)) > sharp) corners.push_back(k);
+    }
+    if (corners.empty()) {
+        space_chain(ring, 0, n, false, particle_spacing, points);
+        return points;
+    }
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+        const std::size_t next = c + 1 < corners.size() ? corners[c + 1] : corners[0] + n;
+        space_chain(ring, corners[c], next, true, particle_spacing, points);
+    }
+    return points;
+}
+
+/// Shrinking the body by half the support and growing it back loses the parts that are thinner than the
+/// support.
+void check_thickness(const Polygon& polygon, double particle_spacing, double support) {
+    const double depth = 0.5 * support * (1 - 1e-6);
+    MultiPolygon lost;
+    bg::difference(polygon, offset(offset(polygon, -depth), depth), lost);
+    constexpr double least_area = 0.1;  // of support^2: what rounding leaves at corners does not count
+    for (const Polygon& part : lost) {
+        if (bg::area(part) < least_area * support * support) continue;
+        Point place(0, 0);
+        bg::centroid(part, place);
+        char text[200];
+        std::snprintf(
+            text, sizeof text,
+            "the body is thinner than the kernel's support of %.4g m near (%.4g, %.4g) m: fluid would act "
+            "through it; a finer particle spacing than %.4g m is needed",
+            support, place.x(), place.y(), particle_spacing);
+        throw InputError(text);
+    }
+}
+
+}  // namespace
+
+void check_outline(const Outline& outline) {
+    if (outline.size() < 3) throw InputError("an outline needs at least three corners");
+    for (const Vec2& corner : outline) {
+        if (!corner.allFinite()) throw InputError("an outline needs finite corners");
+    }
+    std::string reason;
+    const Polygon polygon = polygon_of(outline);
+    if (!bg::is_valid(polygon, reason)) throw InputError("the outline is no simple polygon: " + reason);
+    if (!(bg::area(polygon) > 0)) throw InputError("the outline has no area");
+}
+
+double distance_to(const Outline& outline, Vec2 point) {
+    const Polygon polygon = polygon_of(outline);
+    const Point p(point.x(), point.y());
+    const double distance = bg::distance(p, polygon.outer());
+    return bg::within(p, polygon) ? -distance : distance;
+}
+
+bool overlap(const Outline& a, const Outline& b) {
+    return bg::intersects(polygon_of(a), polygon_of(b));
+}
+
+bool inside(const Outline& outline, Box box) {
+    return std::all_of(outline.begin(), outline.end(), [&](const Vec2& p) {
+        return (p - box.low).minCoeff() > 0 && (box.high - p).minCoeff() > 0;
+    });
+}
+
+AreaMoments area_moments(const Outline& outline) {
+    double area = 0, second = 0;
+    Vec2 first = Vec2::Zero();
+    const Vec2 origin = outline.front();
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vec2 a = outline[k] - origin, b = outline[(k + 1) % outline.size()] - origin;
+        const double cross = a.x() * b.y() - a.y() * b.x();
+        area += cross / 2;
+        first += cross / 6 * (a + b);
+        second += cross / 12 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+    }
+    const Vec2 centre = first / area;
+    return {std::abs(area), origin + centre, std::abs(second) - std::abs(area) * centre.squaredNorm()};
+}
+
+void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
+                        double particle_spacing, double support_radius) {
+    const Polygon polygon = polygon_of(outline);
+    check_thickness(polygon, particle_spacing, support_radius);
+    const int layers = static_cast<int>(std::ceil(support_radius / particle_spacing - 1e-9));
+    const double tolerance = 1e-3 * particle_spacing;
+    constexpr double closest = 0.6;  // spacings: where opposite faces meet, one layer serves both
+    std::vector<SurfacePoint> all;
+    for (int layer = 0; layer < layers; ++layer) {
+        const std::size_t before = all.size();
+        // a hair less deep, so that a body of a whole number of layers keeps its middle one
+        const double depth = (layer + 0.5) * particle_spacing * (1 - 1e-6);
+        for (const Polygon& part : offset(polygon, -depth)) {
+            const std::vector<Vec2> ring = distinct_points(part.outer(), tolerance);
+            if (ring.size() < 2) continue;
+            for (const SurfacePoint& point : spaced_points(ring, particle_spacing)) {
+                const bool crowded = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(before), all.end(),
+                                                 [&](const SurfacePoint& other) {
+                                                     return (other.position - point.position).norm() <
+                                                            closest * particle_spacing;
+                                                 });
+                if (!crowded) all.push_back(point);
+            }
+        }
+    }
+    for (const SurfacePoint& point : all) {
+        walls.add_body_point(body, point.position - frame_origin, point.normal);
+    }
+}
+
+void clear_fluid(FluidParticles& fluid, const Outline& outline, double particle_spacing) {
+    constexpr double clearance = 0.49;  // spacings: a lattice that fits the body keeps its half
+    const Polygon polygon = polygon_of(outline);
+    bg::model::box<Point> reach;
+    bg::envelope(polygon, reach);
+    FluidParticles kept;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const FluidState& p = fluid.state[i];
+        const Point place(p.x, p.y);
+        const bool far = p.x < reach.min_corner().x() - particle_spacing ||
+                         p.x > reach.max_corner().x() + particle_spacing ||
+                         p.y < reach.min_corner().y() - particle_spacing ||
+                         p.y > reach.max_corner().y() + particle_spacing;
+        if (!far && (bg::covered_by(place, polygon) ||
+                     bg::distance(place, polygon.outer()) < clearance * particle_spacing)) {
+            continue;
+        }
+        kept.add(fluid.phase(i), p.position(), fluid.mass[i], p.density);
+    }
+    fluid = std::move(kept);
+}
+
+}  // namespace wetdeck

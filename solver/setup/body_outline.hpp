@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the outline of a body to its boundary particles, and room for it in the fluid.
+//
+// Layers are parallel curves of the outline, half a spacing and then one spacing apart, with mitred corners:
+// a keel stays sharp and no lattice is cut, whatever the angle of a face.
+#pragma once
+
+#include <vector>
+
+#include "solver/core/particles.hpp"
+#include "solver/core/vec2.hpp"
+
+namespace wetdeck {
+
+/// Corners of a closed polygon in order, either way round [m]; the last side leads back to the first.
+using Outline = std::vector<Vec2>;
+
+/// Throws InputError, with the reason, unless the outline is a simple polygon with an area: at least three
+/// corners, finite, no sides that cross or touch.
+void check_outline(const Outline& outline);
+
+/// Signed distance of a point from the outline [m], negative inside.
+double distance_to(const Outline& outline, Vec2 point);
+
+bool overlap(const Outline& a, const Outline& b);
+bool inside(const Outline& outline, Box box);
+
+/// Area [m^2] and centroid of the polygon, and its second moment of area about the centroid [m^4].
+struct AreaMoments {
+    double area = 0;
+    Vec2 centroid = Vec2::Zero();
+    double second_moment = 0;
+};
+AreaMoments area_moments(const Outline& outline);
+
+/// Appends the layers of body number `body` to `walls`, as deep as the kernel's support or as the body is
+/// thick.
+/// @param frame_origin  mass centre, in the coordinates of the outline
+/// Throws InputError where the body is thinner than the support: fluid would act through it.
+void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
+                        double particle_spacing, double support_radius);
+
+/// Removes the fluid inside the outline and closer to it than half a spacing.
+void clear_fluid(FluidParticles& fluid, const Outline& outline, double particle_spacing);
+
+}  // namespace wetdeck
