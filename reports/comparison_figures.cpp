@@ -16,17 +16,17 @@ namespace {
 
 /// Comparisons that share axes: the same series under the same scales. Where the scales are unknown the
 /// labels of the axes have to tell.
-using AxesKey = std::tuple<std::string, double, double, double, std::string, std::string>;
+using AxesKey = std::tuple<std::string, double, double, double, double, std::string, std::string>;
 
 constexpr double unknown_scale = 0;
 
 AxesKey axes_of(const AnalysisSpec& scene, const ComparisonResult& c) {
     for (const ComparisonSpec& spec : scene.comparisons) {
         if (spec.title == c.title && spec.quantity == c.quantity && spec.reference == c.reference) {
-            return {c.quantity, spec.x_scale, spec.y_scale, spec.y_offset, "", ""};
+            return {c.quantity, spec.x_scale, spec.y_scale, spec.x_offset, spec.y_offset, "", ""};
         }
     }
-    return {c.quantity, unknown_scale, unknown_scale, 0, c.x_label, c.y_label};
+    return {c.quantity, unknown_scale, unknown_scale, 0, 0, c.x_label, c.y_label};
 }
 
 /// One figure's worth of comparisons of one run.

@@ -103,13 +103,20 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
     evaluate();
 }
 
-PassInput Simulation::pass_input() {
+/// All that passes read.
+PassInput Simulation::inputs() const {
     PassInput in = coefficients_;
     in.fluid = fluid_.state.data();
     in.wall = walls_.state.data();
     in.wall_mean = walls_.mean.data();
     in.clusters = &list_.clusters();
     in.wall_clusters = &list_.wall_clusters();
+    return in;
+}
+
+PassInput Simulation::pass_input() {
+    PassInput in = inputs();
+    in.new_wall_mean = walls_.mean.data();
     in.density_rate = fluid_.density_rate.data();
     in.acceleration_x = fluid_.acceleration_x.data();
     in.acceleration_y = fluid_.acceleration_y.data();
@@ -211,6 +218,28 @@ void Simulation::evaluate() {
     load_bodies();
     time_step_ = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
                                   fluid_.water < fluid_.size());
+}
+
+double Simulation::momentum_error() const {
+    std::vector<double> ax(fluid_.size()), ay(fluid_.size()), fx(walls_.size(), 0), fy(walls_.size(), 0);
+    PassInput in = inputs();
+    in.acceleration_x = ax.data();
+    in.acceleration_y = ay.data();
+    in.wall_force_x = fx.data();
+    in.wall_force_y = fy.data();
+    in.fixed_walls = 0;  // the reactions of the tank, too
+    loops_.accelerations(in);
+    loops_.body_forces(in);
+    Vec2 sum = Vec2::Zero();
+    double sizes = 0;
+    const auto count = [&](Vec2 force) {
+        sum += force;
+        sizes += force.norm();
+    };
+    for (std::size_t i = 0; i < fluid_.size(); ++i)
+        count(fluid_.mass[i] * (Vec2(ax[i], ay[i]) - model_.gravity));
+    for (std::size_t n = 0; n < walls_.size(); ++n) count({fx[n], fy[n]});
+    return sizes > 0 ? sum.norm() / sizes : 0;
 }
 
 /// The pressure convection rate grad(p).v from the momentum equation itself: grad(p) = -rho (dv/dt - g), Eq.

@@ -83,8 +83,13 @@ class Simulation {
     FluidParticles& disturb() { return fluid_; }
     /// Rates of the present state, without moving anything.
     void evaluate();
+    /// What the fluid's momentum gains besides gravity and the reactions of walls and bodies, over the sum of
+    /// the sizes of all forces: rounding, unless a pair of forces is not opposite. One momentum pass over the
+    /// present state.
+    double momentum_error() const;
 
   private:
+    PassInput inputs() const;
     PassInput pass_input();
     void build_list();
     void first_kick(double dt);

@@ -34,6 +34,7 @@ struct RigidBody {
 
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
+    double work = 0;              ///< of the fluid on the body since the start [J/m]
 
     /// Sets the loads by the fluid and the accelerations that follow from them.
     void load(Vec2 fluid_force, double fluid_torque, Vec2 gravity) {
@@ -47,6 +48,9 @@ struct RigidBody {
     }
 
     void kick(double duration) {
+        const Vec2 mean_velocity = velocity + 0.5 * duration * acceleration;
+        const double mean_rotation = angular_velocity + 0.5 * duration * angular_acceleration;
+        work += duration * (force.dot(mean_velocity) + torque * mean_rotation);
         velocity += duration * acceleration;
         angular_velocity += duration * angular_acceleration;
         impulse += duration * force;

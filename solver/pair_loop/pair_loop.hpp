@@ -55,7 +55,8 @@ struct PassInput {
     double wall_volume = 0;
     const FluidState* fluid = nullptr;
     const WallState* wall = nullptr;
-    WallMean* wall_mean = nullptr;
+    const WallMean* wall_mean = nullptr;
+    WallMean* new_wall_mean = nullptr;                   ///< written by wall_means
     std::array<bool, phase_count> wall_pressure_mean{};  ///< which phases see the Shepard pressure of walls
     double particle_spacing = 0;
     const std::vector<Cluster>* clusters = nullptr;

@@ -188,7 +188,7 @@ void wall_means(const PassInput& in) {
         const Pack inverse = 1.0 / maximum(weight_sum, 1e-300);
         const Pack pressure = pressure_sum * inverse, vx = vx_sum * inverse, vy = vy_sum * inverse;
         for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
-            in.wall_mean[cluster.first + lane] = {pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane]};
+            in.new_wall_mean[cluster.first + lane] = {pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane]};
         }
     }
 }

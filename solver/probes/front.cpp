@@ -27,4 +27,36 @@ double water_depth(const Simulation& simulation, double x, double width) {
     return volume / width;
 }
 
+std::vector<double> water_top(const Simulation& simulation, double low, double high, std::size_t count) {
+    const FluidParticles& fluid = simulation.fluid();
+    const double dx = simulation.particle_spacing(), width = (high - low) / static_cast<double>(count);
+    std::vector<double> top(count, simulation.domain().low.y());
+    for (std::size_t i = 0; i < fluid.water; ++i) {
+        const FluidState& p = fluid.state[i];
+        // the particle covers every column that its width reaches
+        const double first = std::ceil((p.x - 0.5 * dx - low) / width - 0.5);
+        const double last = std::floor((p.x + 0.5 * dx - low) / width - 0.5);
+        const double end = std::min(last, static_cast<double>(count) - 1);
+        for (double k = std::max(first, 0.0); k <= end; ++k) {
+            double& height = top[static_cast<std::size_t>(k)];
+            height = std::max(height, p.y + 0.5 * dx);
+        }
+    }
+    return top;
+}
+
+double gap_to_water(const Simulation& simulation, std::size_t body, Vec2 from, Vec2 to) {
+    const RigidBody& b = simulation.bodies().at(body);
+    const double length = (to - from).norm();
+    const Vec2 along = (to - from) / length, outward(along.y(), -along.x());
+    const FluidParticles& fluid = simulation.fluid();
+    double gap = (simulation.domain().high - simulation.domain().low).norm();
+    for (std::size_t i = 0; i < fluid.water; ++i) {
+        const Vec2 r = b.local(fluid.state[i].position()) - from;
+        const double s = r.dot(along), distance = r.dot(outward);
+        if (s >= 0 && s <= length && distance > 0) gap = std::min(gap, distance);
+    }
+    return std::max(0.0, gap - 0.5 * simulation.particle_spacing());
+}
+
 }  // namespace wetdeck

@@ -1,29 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/probes/pressure.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 
 #include "solver/core/errors.hpp"
 
 namespace wetdeck {
-namespace {
-constexpr int height_count = 16;
+
+std::vector<double> face_pressures(const Simulation& simulation, std::span<const Vec2> points) {
+    std::vector<double> pressure(points.size(), 0), weight(points.size(), 0);
+    if (points.empty()) return pressure;
+    const WendlandC2 kernel = simulation.kernel();
+    const Vec2 reach = Vec2::Constant(kernel.support_radius());
+    Box near{points[0], points[0]};
+    for (const Vec2& point : points) near = {near.low.cwiseMin(point), near.high.cwiseMax(point)};
+    near = {near.low - reach, near.high + reach};
+    const FluidParticles& fluid = simulation.fluid();
+    const double background = simulation.model().water.eos.background_pressure;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const FluidState& p = fluid.state[i];
+        if (p.x < near.low.x() || p.x > near.high.x() || p.y < near.low.y() || p.y > near.high.y()) continue;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const double w = p.volume * kernel.value((p.position() - points[k]).norm());
+            pressure[k] += w * (p.pressure - background);
+            weight[k] += w;
+        }
+    }
+    constexpr double least_cover = 0.25;
+    for (std::size_t k = 0; k < points.size(); ++k) pressure[k] /= std::max(weight[k], least_cover);
+    return pressure;
 }
 
-WallPressureProbe::WallPressureProbe(Vec2 centre, double diameter) : centre_(centre), diameter_(diameter) {
+PressureGauge::PressureGauge(Vec2 centre, Vec2 along, double diameter, std::optional<std::size_t> body)
+    : diameter_(diameter), body_(body) {
+    constexpr int point_count = 16;
     double sum = 0;
-    for (int k = 0; k < height_count; ++k) {
-        const double offset = ((k + 0.5) / height_count - 0.5) * diameter;
-        height_.push_back(centre.y() + offset);
+    for (int k = 0; k < point_count; ++k) {
+        const double offset = ((k + 0.5) / point_count - 0.5) * diameter;
+        point_.push_back(centre + offset * along.normalized());
         weight_.push_back(std::sqrt(0.25 * diameter * diameter - offset * offset));
         sum += weight_.back();
     }
     for (double& weight : weight_) weight /= sum;
 }
 
-void WallPressureProbe::check(double particle_spacing) const {
+void PressureGauge::check(double particle_spacing) const {
     if (diameter_ >= particle_spacing * (1 - 1e-9)) return;
     char text[160];
     std::snprintf(text, sizeof text,
@@ -33,27 +55,14 @@ void WallPressureProbe::check(double particle_spacing) const {
     throw InputError(text);
 }
 
-double WallPressureProbe::sample(const Simulation& simulation) const {
-    const WendlandC2 kernel = simulation.kernel();
-    const double reach = kernel.support_radius();
-    std::array<double, height_count> pressure_sum{}, weight_sum{};
-    const FluidParticles& fluid = simulation.fluid();
-    for (std::size_t i = 0; i < fluid.size(); ++i) {
-        const FluidState& p = fluid.state[i];
-        if (std::abs(p.x - centre_.x()) > reach || std::abs(p.y - centre_.y()) > reach + 0.5 * diameter_)
-            continue;
-        const Model& model = simulation.model();
-        const TaitEquationOfState& eos = fluid.phase(i) == Phase::water ? model.water.eos : model.air.eos;
-        for (std::size_t k = 0; k < height_count; ++k) {
-            const double weight = p.volume * kernel.value(std::hypot(p.x - centre_.x(), p.y - height_[k]));
-            pressure_sum[k] += weight * (p.pressure - eos.background_pressure);
-            weight_sum[k] += weight;
-        }
+double PressureGauge::sample(const Simulation& simulation) const {
+    std::vector<Vec2> points = point_;
+    if (body_) {
+        for (Vec2& point : points) point = simulation.bodies().at(*body_).placed(point);
     }
+    const std::vector<double> pressure = face_pressures(simulation, points);
     double mean = 0;
-    for (std::size_t k = 0; k < height_count; ++k) {
-        mean += weight_[k] * pressure_sum[k] / std::max(weight_sum[k], 0.25);
-    }
+    for (std::size_t k = 0; k < pressure.size(); ++k) mean += weight_[k] * pressure[k];
     return mean;
 }
 

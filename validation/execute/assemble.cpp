@@ -26,7 +26,23 @@ FluidParticles fill(const Scene& scene, double particle_spacing) {
             fill_box(fluid, Phase::air, box, particle_spacing, model.air.eos.reference_density);
         }
     }
+    for (const BodySpec& body : scene.bodies) clear_fluid(fluid, body.outline, particle_spacing);
     return fluid;
+}
+
+WallParticles boundary(const Scene& scene, double particle_spacing) {
+    const double support = 2 * scene.model.smoothing_ratio * particle_spacing;
+    WallParticles walls = tank_walls(scene.tank, particle_spacing, support);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const BodySpec& spec = scene.bodies[b];
+        try {
+            add_body_particles(walls, static_cast<std::uint32_t>(b), spec.outline, spec.body.position,
+                               particle_spacing, support);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", spec.name, error.what()));
+        }
+    }
+    return walls;
 }
 
 /// Gauge pressure at the start: the air weighs on the water, the water stands as the scene says.
@@ -53,9 +69,9 @@ Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
     set_initial_pressure(fluid, model, [&](Phase phase, Vec2 position) {
         return initial_gauge_pressure(scene, phase, position);
     });
-    const double support = 2 * model.smoothing_ratio * particle_spacing;
-    return {model, std::move(fluid), tank_walls(scene.tank, particle_spacing, support), particle_spacing,
-            scene.tank};
+    std::vector<RigidBody> bodies;
+    for (const BodySpec& spec : scene.bodies) bodies.push_back(spec.body);
+    return {model, std::move(fluid), boundary(scene, particle_spacing), particle_spacing, scene.tank, bodies};
 }
 
 void check_spacing(const Scene& scene, double particle_spacing) {
@@ -71,45 +87,8 @@ void check_spacing(const Scene& scene, double particle_spacing) {
                         particle_spacing, particles, most_particles));
     }
     fill(scene, particle_spacing);
+    boundary(scene, particle_spacing);
     Recorders(scene, particle_spacing);
-}
-
-Recorders::Recorders(const Scene& scene, double particle_spacing) {
-    for (const ProbeSpec& spec : scene.probes) {
-        switch (spec.type) {
-            case ProbeSpec::Type::front:
-                list_.push_back({spec.name, "m", "largest x that water reaches"});
-                probes_.emplace_back(front_position);
-                break;
-            case ProbeSpec::Type::wall_pressure: {
-                const WallPressureProbe probe(spec.centre, spec.diameter);
-                probe.check(particle_spacing);
-                list_.push_back(
-                    {spec.name, "Pa",
-                     fmt::format("gauge pressure, chord-weighted mean over a disc of {} m at ({}, {}) m; {}",
-                                 spec.diameter, spec.centre.x(), spec.centre.y(), spec.note)});
-                probes_.emplace_back([probe](const Simulation& s) { return probe.sample(s); });
-                break;
-            }
-            case ProbeSpec::Type::water_depth:
-                list_.push_back(
-                    {spec.name, "m",
-                     fmt::format("depth of water at x = {} m over a width of {} m", spec.x, spec.width)});
-                probes_.emplace_back(
-                    [spec](const Simulation& s) { return water_depth(s, spec.x, spec.width); });
-                break;
-        }
-    }
-    list_.insert(list_.end(), every_run_series().begin(), every_run_series().end());
-}
-
-void Recorders::sample(const Simulation& simulation, std::vector<double>& values) const {
-    values.clear();
-    for (const auto& probe : probes_) values.push_back(probe(simulation));
-    const Balance b = balance(simulation);  // in the order of every_run_series()
-    values.insert(values.end(),
-                  {b.kinetic, b.potential, b.compression, b.momentum.x(), b.momentum.y(), b.mass,
-                   b.water_density_error, static_cast<double>(b.outside), simulation.time_step().size});
 }
 
 }  // namespace wetdeck

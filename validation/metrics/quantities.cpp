@@ -29,6 +29,10 @@ double mean_of(const Curve& curve, const std::function<double(double)>& f) {
     return integral / (curve.x.back() - curve.x.front());
 }
 
+double integral(const Curve& curve) {
+    return mean_of(curve, [](double y) { return y; }) * (curve.x.back() - curve.x.front());
+}
+
 double mean(const Curve& curve) {
     return mean_of(curve, [](double y) { return y; });
 }
@@ -54,6 +58,19 @@ Outcome first_crossing(const Curve& curve, const Window& window, double threshol
         return {std::lerp(part.x[i - 1], part.x[i], (threshold - below) / (above - below)), {}};
     }
     return {{}, fmt::format("does not rise through {:.6g}", threshold)};
+}
+
+/// Integral up to where the curve has fallen from its maximum to `share` of it.
+Outcome first_peak_integral(const Curve& curve, double share) {
+    const std::size_t top = index_of_maximum(curve);
+    const double low = share * curve.y[top];
+    for (std::size_t i = top + 1; i < curve.x.size(); ++i) {
+        if (curve.y[i] > low) continue;
+        const double end =
+            std::lerp(curve.x[i - 1], curve.x[i], (curve.y[i - 1] - low) / (curve.y[i - 1] - curve.y[i]));
+        return {integral(clip(curve, {curve.x.front(), end})), {}};
+    }
+    return {{}, fmt::format("does not fall to {:.6g} of its peak within the window", share)};
 }
 
 Outcome value_at(const Curve& curve, double x) {
@@ -89,19 +106,22 @@ const std::map<std::string, double (*)(const Curve&)>& window_metrics() {
         {"maximum", [](const Curve& c) { return c.y[index_of_maximum(c)]; }},
         {"time_of_maximum", [](const Curve& c) { return c.x[index_of_maximum(c)]; }},
         {"minimum", [](const Curve& c) { return *std::min_element(c.y.begin(), c.y.end()); }},
-        {"slope", slope}};
+        {"slope", slope},
+        {"integral", integral},
+        {"change", [](const Curve& c) { return c.y.back() - c.y.front(); }}};
     return metrics;
 }
 
 void check(const QuantitySpec& spec) {
     const bool windowed = window_metrics().contains(spec.metric);
-    const bool thresholded = spec.metric == "first_crossing" || spec.metric == "value_at";
+    const bool thresholded =
+        spec.metric == "first_crossing" || spec.metric == "value_at" || spec.metric == "first_peak_integral";
     if (!windowed && !thresholded && spec.metric != "rms_difference") {
-        throw InputError(
-            fmt::format("quantity '{}': unknown metric '{}', expected mean, standard_deviation, maximum, "
-                        "time_of_maximum, minimum, "
-                        "slope, first_crossing, value_at or rms_difference",
-                        spec.name, spec.metric));
+        throw InputError(fmt::format(
+            "quantity '{}': unknown metric '{}', expected mean, standard_deviation, maximum, "
+            "time_of_maximum, minimum, "
+            "slope, integral, change, first_crossing, value_at, first_peak_integral or rms_difference",
+            spec.name, spec.metric));
     }
     if (thresholded) require(spec.threshold.has_value(), spec, "threshold");
     if (spec.metric == "rms_difference") {
@@ -111,7 +131,8 @@ void check(const QuantitySpec& spec) {
 }
 
 Outcome evaluate(const QuantitySpec& spec, const RunRecord& record, ReferenceShelf& references) {
-    const SeriesCurve series = series_curve(record, spec.series, spec.x_scale, spec.y_scale);
+    const SeriesCurve series =
+        series_curve(record, spec.series, spec.x_scale, spec.y_scale, 0, spec.x_offset);
     if (!series.problem.empty()) return {{}, series.problem};
     const Curve& curve = series.curve;
     const Window window = spec.window.value_or(extent(curve));
@@ -123,6 +144,8 @@ Outcome evaluate(const QuantitySpec& spec, const RunRecord& record, ReferenceShe
                             curve.x.back(), window.begin, window.end)};
     }
     if (spec.metric == "rms_difference") return difference_to_reference(spec, curve, window, references);
+    if (spec.metric == "first_peak_integral")
+        return first_peak_integral(clip(curve, window), *spec.threshold);
     return {window_metrics().at(spec.metric)(clip(curve, window)), {}};
 }
 

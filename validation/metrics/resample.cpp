@@ -10,7 +10,7 @@
 namespace wetdeck {
 
 SeriesCurve series_curve(const RunRecord& record, const std::string& name, double x_scale, double y_scale,
-                         double y_offset) {
+                         double y_offset, double x_offset) {
     const auto found = record.series.find(name);
     if (found == record.series.end()) return {{}, fmt::format("the run has no series '{}'", name)};
     const Series& series = found->second;
@@ -23,7 +23,7 @@ SeriesCurve series_curve(const RunRecord& record, const std::string& name, doubl
     }
     SeriesCurve result;
     for (std::size_t i = 0; i < series.time.size(); ++i) {
-        const double x = series.time[i] / x_scale;
+        const double x = (series.time[i] - x_offset) / x_scale;
         const double y = series.value[i] / y_scale - y_offset;
         if (!std::isfinite(x) || !std::isfinite(y)) {
             result.problem =

@@ -21,11 +21,13 @@ struct QuantitySpec {
     /// mean, standard_deviation, maximum, time_of_maximum, minimum, slope (least squares), first_crossing
     /// (upward through `threshold`), value_at (at `threshold` on the abscissa), rms_difference (root mean
     /// square difference to `reference` at 2000 equidistant instants of the window, both interpolated
-    /// linearly, no time shift).
+    /// linearly, no time shift), integral, change (last value less the first), first_peak_integral (from the
+    /// window's begin until the curve has fallen from its maximum through `threshold` times that).
     std::string metric;
     std::string series;
-    double x_scale = 1;  ///< seconds per unit of the scaled time
-    double y_scale = 1;  ///< SI units per unit of the scaled value
+    double x_offset = 0;  ///< instant at which the scaled time is zero [s]
+    double x_scale = 1;   ///< seconds per unit of the scaled time
+    double y_scale = 1;   ///< SI units per unit of the scaled value
     std::optional<Window> window;
     std::optional<double> threshold;
     std::string reference;  ///< file stem in reference_data/<scene>/, for rms_difference
@@ -44,6 +46,7 @@ struct ComparisonSpec {
     std::string reference;  ///< file stem in reference_data/<scene>/
     std::string x_column;
     std::string y_column;
+    double x_offset = 0;  ///< instant at which the scaled time is zero [s]
     double x_scale = 1;
     double y_scale = 1;
     double y_offset =

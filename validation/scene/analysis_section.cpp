@@ -11,12 +11,13 @@ namespace wetdeck {
 namespace {
 
 const std::vector<std::string> metric_names = {
-    "mean",  "standard_deviation", "maximum",  "time_of_maximum", "minimum",
-    "slope", "first_crossing",     "value_at", "rms_difference"};
+    "mean",   "standard_deviation", "maximum",  "time_of_maximum", "minimum",
+    "slope",  "first_crossing",     "value_at", "rms_difference",  "integral",
+    "change", "first_peak_integral"};
 
-/// A scale is a name from [scales] or a number.
-double scale(const TomlTable& table, const std::string& key, const Scales& scales) {
-    if (!table.has(key)) return 1;
+/// A scale is a name from [scales].
+double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {
+    if (!table.has(key)) return fallback;
     std::vector<std::string> names;
     for (const auto& [name, value] : scales) names.push_back(name);
     return scales.at(table.choice(key, names));
@@ -35,6 +36,7 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales) {
     q.metric = table.choice("metric", metric_names);
     q.series = table.text("series");
     q.x_scale = scale(table, "x_scale", scales);
+    q.x_offset = scale(table, "x_origin", scales, 0);
     q.y_scale = scale(table, "y_scale", scales);
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
@@ -44,7 +46,8 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales) {
     q.expected = table.optional_number("expected");
     q.tolerance = table.optional_number("tolerance");
     q.expected_source = table.text_or("expected_source", "");
-    const bool needs_threshold = q.metric == "first_crossing" || q.metric == "value_at";
+    const bool needs_threshold =
+        q.metric == "first_crossing" || q.metric == "value_at" || q.metric == "first_peak_integral";
     if (needs_threshold && !q.threshold)
         table.fail("threshold", "missing, the metric " + q.metric + " needs it");
     const bool needs_reference = q.metric == "rms_difference";
@@ -64,6 +67,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales) {
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
     c.x_scale = scale(table, "x_scale", scales);
+    c.x_offset = scale(table, "x_origin", scales, 0);
     c.y_scale = scale(table, "y_scale", scales);
     c.y_offset = table.number_or("y_offset", 0);
     c.window = window(table);
@@ -84,6 +88,10 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     std::vector<std::string> series;
     for (const ProbeSpec& probe : scene.probes) series.push_back(probe.name);
     for (const SeriesInfo& info : every_run_series()) series.push_back(info.name);
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+        for (const auto& all : {recorded_body_series(), derived_body_series()})
+            for (const SeriesInfo& info : all) series.push_back(body_series_name(info.name, body));
+    }
     AnalysisSpec& analysis = scene.analysis;
     std::set<std::string> names;
     for (const TomlTable& table : root.tables("quantities")) {
@@ -104,29 +112,6 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     analysis.error_quantity = root.text_or("error_quantity", "");
     if (!analysis.error_quantity.empty() && !names.count(analysis.error_quantity)) {
         root.fail("error_quantity", fmt::format("'{}' is not among [[quantities]]", analysis.error_quantity));
-    }
-}
-
-void read_probes(const TomlTable& root, Scene& scene) {
-    std::set<std::string> names;
-    for (const TomlTable& table : root.tables("probes")) {
-        ProbeSpec probe;
-        probe.name = table.text("name");
-        if (!names.insert(probe.name).second) table.fail("name", "is used twice");
-        const std::string type = table.choice("type", {"front", "wall_pressure", "water_depth"});
-        if (type == "wall_pressure") {
-            probe.type = ProbeSpec::Type::wall_pressure;
-            const std::vector<double> centre = table.numbers("centre", 2);
-            probe.centre = {centre[0], centre[1]};
-            probe.diameter = table.positive("diameter");
-        } else if (type == "water_depth") {
-            probe.type = ProbeSpec::Type::water_depth;
-            probe.x = table.number("x");
-            probe.width = table.positive("width");
-        }
-        probe.note = table.text_or("note", "");
-        table.finish();
-        scene.probes.push_back(probe);
     }
 }
 

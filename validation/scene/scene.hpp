@@ -8,20 +8,46 @@
 #include <string>
 #include <vector>
 
+#include "solver/bodies/rigid_body.hpp"
 #include "solver/core/model.hpp"
 #include "solver/core/vec2.hpp"
+#include "solver/setup/body_outline.hpp"
 #include "validation/metrics/specification.hpp"
 
 namespace wetdeck {
 
+/// What a scene records besides the series of every run and every body.
 struct ProbeSpec {
-    enum class Type { front, wall_pressure, water_depth };
+    enum class Type {
+        front,          ///< largest x of the water
+        wall_pressure,  ///< disc gauge on a vertical wall
+        water_depth,    ///< depth at x
+        body_pressure,  ///< disc gauge on a face of a body
+        face_pressure,  ///< along a face of a body, by arc length
+        air_film,       ///< gap between a face of a body and the water
+        free_surface    ///< top of the water by x
+    };
     std::string name;
     Type type = Type::front;
-    Vec2 centre = Vec2::Zero();  ///< wall_pressure [m]
-    double diameter = 0;         ///< wall_pressure [m]
-    double x = 0, width = 0;     ///< water_depth [m]
+    Vec2 centre = Vec2::Zero();                   ///< of a disc [m]; on a body, in the frame of its outline
+    double diameter = 0;                          ///< of a disc [m]
+    double x = 0, width = 0;                      ///< water_depth [m]
+    std::size_t body = 0;                         ///< number of the body
+    Vec2 from = Vec2::Zero(), to = Vec2::Zero();  ///< ends of a face, in the frame of its body's outline [m]
+    double low = 0, high = 0;                     ///< free_surface: range of x [m]
+    std::size_t points = 0;                       ///< of a profile
     std::string note;
+};
+
+/// A rigid body of a scene: its outline as placed at the start, and its state then.
+struct BodySpec {
+    std::string name;            ///< of its table: body, body_2, ...
+    Outline outline;             ///< corners in the scene at the start [m]
+    Vec2 origin = Vec2::Zero();  ///< of the frame in which the file gives the outline [m]
+    RigidBody body;
+
+    /// A point of the outline's frame in the frame of the mass centre [m].
+    Vec2 in_body_frame(Vec2 point) const { return point + origin - body.position; }
 };
 
 struct InitialPressure {
@@ -31,15 +57,22 @@ struct InitialPressure {
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
-/// A scalar series that a run records.
+/// A series that a run records.
 struct SeriesInfo {
     std::string name;
     std::string unit;
     std::string description;
+    std::vector<double> abscissa = {};  ///< of the columns of a profile, empty for a scalar
 };
 
 /// The series of every run, whatever its scene.
 const std::vector<SeriesInfo>& every_run_series();
+/// What is recorded of each body, and what follows from that when the run has ended (mean forces and
+/// accelerations).
+const std::vector<SeriesInfo>& recorded_body_series();
+const std::vector<SeriesInfo>& derived_body_series();
+/// "body_force_y" for the first body, "body_force_y_2" for the second.
+std::string body_series_name(const std::string& name, std::size_t body);
 
 struct VariantInfo {
     std::string name;
@@ -58,10 +91,12 @@ struct Scene {
     bool air = true;
     Box tank;
     std::vector<Box> water_boxes, air_boxes;
+    std::vector<BodySpec> bodies;
     InitialPressure initial;
     std::vector<ProbeSpec> probes;
     double end_time = 0;                ///< [s]
     double sample_interval = 0;         ///< of the probes [s]
+    double force_filter = 0;            ///< width of the moving mean of filtered forces [s]
     std::vector<double> frame_times;    ///< of the field files [s], sorted
     std::vector<double> picture_times;  ///< of the frames that the report shows [s]
     std::string text;                   ///< the file as read

@@ -14,6 +14,8 @@ using Scales = std::map<std::string, double>;
 void read_model(const TomlTable& root, Scene& scene);
 /// [[quantities]], [[compare]], [[deviations]], limits.
 void read_analysis(const TomlTable& root, Scene& scene);
+/// [body], [body_2], ...
+void read_bodies(const TomlTable& root, Scene& scene);
 /// [[probes]]
 void read_probes(const TomlTable& root, Scene& scene);
 
