@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solver/core/model.hpp"
 #include "solver/core/particles.hpp"
@@ -78,6 +79,16 @@ class Simulation {
     FluidParticles& disturb() { return fluid_; }
     /// Rates of the present state, without moving anything.
     void evaluate();
+
+    /// Everything that decides the bits of what follows, with counters and timers.
+    struct State {
+        std::map<std::string, std::vector<double>> arrays;
+        std::map<std::string, double> numbers;
+    };
+    State state() const;
+    /// Takes up where a simulation of the same set-up stood: the steps to come have the same bits. Throws
+    /// DataError for the state of another set-up.
+    void restore(const State& state);
 
   private:
     PassInput pass_input();
