@@ -67,7 +67,13 @@ pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
     const pid_t parent = getpid();
+    // A signal that comes before the run can answer it must wait for it.
+    sigset_t term, before;
+    sigemptyset(&term);
+    sigaddset(&term, SIGTERM);
+    sigprocmask(SIG_BLOCK, &term, &before);
     const pid_t child = fork();
+    if (child != 0) sigprocmask(SIG_SETMASK, &before, nullptr);
     if (child < 0) throw environment_error(log, "start a run", errno);
     if (child == 0) {
         // a run must not outlive its suite: the next one would find the directory locked
@@ -75,6 +81,8 @@ pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
         if (getppid() != parent) _exit(exit_environment);
         // Ctrl-C reaches the whole group; the suite alone answers and passes SIGTERM on
         signal(SIGINT, SIG_IGN);
+        signal(SIGTERM, SIG_DFL);
+        sigprocmask(SIG_SETMASK, &before, nullptr);
         const int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
         const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
         if (in < 0 || out < 0) _exit(exit_environment);
@@ -176,7 +184,8 @@ int run_suite(const SuiteOptions& options) {
         }
         const SuiteRow row = running.at(child);
         running.erase(child);
-        if (told && WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGTERM) continue;  // as it was told
+        const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+        if (told && code == 128 + SIGTERM) continue;  // as it was told
         worst = std::max(worst, judge(row, status));
         done += row.estimated_core_seconds;
         ++ended;
