@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/core/model.hpp"
@@ -87,6 +88,16 @@ class Simulation {
     /// the sizes of all forces: rounding, unless a pair of forces is not opposite. One momentum pass over the
     /// present state.
     double momentum_error() const;
+
+    /// Everything that decides the bits of what follows, with counters and timers.
+    struct State {
+        std::map<std::string, std::vector<double>> arrays;
+        std::map<std::string, double> numbers;
+    };
+    State state() const;
+    /// Takes up where a simulation of the same set-up stood: the steps to come have the same bits. Throws
+    /// DataError for the state of another set-up.
+    void restore(const State& state);
 
   private:
     PassInput inputs() const;

@@ -9,8 +9,9 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/execute/assemble.hpp"
-#include "validation/store/fields.hpp"
-#include "validation/store/live_series.hpp"
+#include "validation/execute/run_state.hpp"
+#include "validation/execute/series_keeper.hpp"
+#include "validation/execute/stop_signal.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -57,50 +58,6 @@ FieldFrame frame_of(const Simulation& simulation) {
     return frame;
 }
 
-/// Samples the recorders at their interval, keeps the series, and mirrors them in the live file.
-class SeriesKeeper {
-  public:
-    SeriesKeeper(const Scene& scene, const RunOptions& options)
-        : recorders_(scene, options.particle_spacing),
-          interval_(scene.sample_interval),
-          live_(options.directory, columns(recorders_)) {
-        for (const SeriesInfo& r : recorders_.list()) kept_.push_back({r.unit, r.description, {}, {}, {}});
-    }
-
-    void observe(const Simulation& simulation, bool last) {
-        if (simulation.time() < next_ && !last) return;
-        if (!times_.empty() && simulation.time() <= times_.back()) return;
-        while (next_ <= simulation.time()) next_ += interval_;
-        recorders_.sample(simulation, values_);
-        live_.append(simulation.time(), values_);
-        times_.push_back(simulation.time());
-        for (std::size_t k = 0; k < values_.size(); ++k) kept_[k].value.push_back(values_[k]);
-    }
-
-    std::map<std::string, Series> series() const {
-        std::map<std::string, Series> result;
-        for (std::size_t k = 0; k < kept_.size(); ++k) {
-            Series& series = result[recorders_.list()[k].name] = kept_[k];
-            series.time = times_;
-        }
-        return result;
-    }
-
-  private:
-    static std::vector<LiveColumn> columns(const Recorders& recorders) {
-        std::vector<LiveColumn> result;
-        for (const SeriesInfo& r : recorders.list()) result.push_back({r.name, r.unit, r.description});
-        return result;
-    }
-
-    Recorders recorders_;
-    double interval_;
-    double next_ = 0;
-    LiveSeries live_;
-    std::vector<double> times_, values_;
-    std::vector<Series> kept_;
-};
-
 void record_parameters(RunRecord& record, const Scene& scene, const Simulation& simulation) {
     const Model& m = simulation.model();
     auto& p = record.parameters;
@@ -138,15 +95,156 @@ void record_cost(RunRecord& record, const Simulation& simulation) {
         static_cast<double>(simulation.steps()) * static_cast<double>(simulation.fluid().size());
     cost.peak_rss_mb = peak_rss_mb();
     const StageTimes& s = simulation.stage_times();
-    cost.stage_seconds = {{"neighbours", s.neighbours},   {"density", s.density},
-                          {"momentum", s.momentum},       {"walls", s.walls},
-                          {"integration", s.integration}, {"probes and files", s.probes}};
+    cost.stage_seconds = {{"neighbours", s.neighbours},  {"density", s.density},
+                          {"momentum", s.momentum},      {"walls", s.walls},
+                          {"bodies", s.bodies},          {"integration", s.integration},
+                          {"probes and files", s.probes}};
     for (std::size_t k = 0; k < limiting_criterion_names.size(); ++k) {
         cost.limiting_criterion[limiting_criterion_names[k]] = simulation.limiting_counts()[k];
     }
     record.parameters["neighbour_list_builds"] = static_cast<double>(simulation.list_builds());
     record.parameters["bytes_per_particle"] = simulation.bytes_per_particle();
 }
+
+/// Who computes: with another program or instruction set the last digits may differ.
+std::string computed_by(const Provenance& p) {
+    return fmt::format("wetdeck {} {}, {}, {}", p.program_version, p.commit, p.compiler, p.simd);
+}
+
+/// The frames written up to the checkpoint must still be there: they would be missing in the end.
+void check_frames(const std::filesystem::path& run_dir, const Checkpoint& from, double time) {
+    double found = 0;
+    for (const FrameEntry& frame : list_frames(run_dir))
+        if (frame.time <= time && std::filesystem::exists(frame.path)) ++found;
+    if (found != from.number("frames"))
+        throw DataError(fmt::format("{} of {} field files written before the checkpoint are there", found,
+                                    from.number("frames")));
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// One run in a directory that is claimed, from its start or from a checkpoint.
+class Run {
+  public:
+    Run(const Scene& scene, const RunOptions& options, double end, const Checkpoint* from)
+        : scene_(scene),
+          options_(options),
+          end_(end),
+          simulation_(assemble(scene, options.particle_spacing, options.threads)),
+          provenance_(collect_provenance(simulation_.instruction_set(),
+                                         static_cast<unsigned>(simulation_.threads()))),
+          clock_(options.checkpoint_interval),
+          keeper_(scene, options.particle_spacing, options.directory, from) {
+        if (from) {
+            go_on(*from);
+        } else {
+            fields_.emplace(options.directory);
+        }
+    }
+
+    RunRecord run(Progress& progress) {
+        RunRecord record = describe();
+        const auto observe = [&](const Simulation&) { this->observe(progress); };
+        if (const std::optional<Instability> trouble = simulation_.run(end_, observe)) {
+            record.status = RunStatus::unstable;
+            record.stop_reason = trouble->describe();
+            if (fields_->frames().empty() || last_good_.time > fields_->frames().back().time)
+                fields_->write(last_good_);
+        }
+        record.series = keeper_.series();
+        record.cost.wall_s = wall_before_ + seconds_since(start_);
+        record.cost.core_s = core_before_ + processor_seconds() - processor_start_;
+        record_cost(record, simulation_);
+        return record;
+    }
+
+  private:
+    void go_on(const Checkpoint& from) {
+        restore_simulation(from, simulation_);
+        check_frames(options_.directory, from, simulation_.time());
+        fields_.emplace(options_.directory, simulation_.time());
+        next_frame_ = static_cast<std::size_t>(from.number("next_frame"));
+        last_good_ = frame_in(from).x.empty() ? frame_of(simulation_) : frame_in(from);
+        wall_before_ = from.number("wall_s");
+        core_before_ = from.number("core_s");
+        if (from.text("computed_by") != computed_by(provenance_))
+            fmt::print(stderr, "wetdeck: the run was begun by {}: the last digits may differ\n",
+                       from.text("computed_by"));
+        provenance_.start_time = from.text("start_time");
+        clock_.restart(0);
+    }
+
+    RunRecord describe() const {
+        RunRecord record;
+        record.scene = scene_.name();
+        record.variant = scene_.variant;
+        record.particle_spacing = options_.particle_spacing;
+        record.fluid_particles = simulation_.fluid().size();
+        record.particles = simulation_.fluid().size() + simulation_.walls().size();
+        record.scene_text = scene_.text;
+        record.scene_path = scene_.path;
+        provenance_.add_to(record.choices);
+        record_parameters(record, scene_, simulation_);
+        return record;
+    }
+
+    void observe(Progress& progress) {
+        const Simulation& s = simulation_;
+        keeper_.observe(s, s.time() >= end_);
+        if (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_]) {
+            while (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_])
+                ++next_frame_;
+            fields_->write(frame_of(s));
+        }
+        // what an unstable run leaves behind; more often while the run is young
+        constexpr std::uint64_t steps_between = 256;
+        const bool good =
+            s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()));
+        if (good) last_good_ = frame_of(s);
+        if (s.steps() % 64 == 0)
+            progress.update(s.time() / end_,
+                            fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end_, s.steps()));
+        const int signal = s.time() < end_ ? stop_signal() : 0;
+        if (signal != 0 || (good && clock_.due())) write_state();
+        if (signal != 0)
+            throw Interrupted(signal, fmt::format(" at t = {:.4g} of {:.4g} s; go on with: wetdeck resume {}",
+                                                  s.time(), end_, options_.directory.string()));
+    }
+
+    void write_state() {
+        const auto start = std::chrono::steady_clock::now();
+        Checkpoint checkpoint;
+        checkpoint.step = simulation_.steps();
+        save_request(checkpoint, scene_, options_);
+        save_simulation(checkpoint, simulation_);
+        keeper_.save(checkpoint);
+        save_frame(checkpoint, last_good_.time < simulation_.time() ? last_good_ : FieldFrame{});
+        checkpoint.numbers["frames"] = static_cast<double>(fields_->frames().size());
+        checkpoint.numbers["next_frame"] = static_cast<double>(next_frame_);
+        checkpoint.numbers["wall_s"] = wall_before_ + seconds_since(start_);
+        checkpoint.numbers["core_s"] = core_before_ + processor_seconds() - processor_start_;
+        checkpoint.texts["computed_by"] = computed_by(provenance_);
+        checkpoint.texts["start_time"] = provenance_.start_time;
+        write_checkpoint(options_.directory, checkpoint);
+        clock_.restart(seconds_since(start));
+    }
+
+    const Scene& scene_;
+    const RunOptions& options_;
+    double end_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double processor_start_ = processor_seconds();
+    double wall_before_ = 0, core_before_ = 0;  ///< of the processes that ran up to the checkpoint
+    Simulation simulation_;
+    Provenance provenance_;
+    CheckpointClock clock_;
+    SeriesKeeper keeper_;
+    std::optional<FieldWriter> fields_;
+    std::size_t next_frame_ = 0;
+    FieldFrame last_good_;
+};
 
 }  // namespace
 
@@ -160,55 +258,42 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
     check_spacing(scene, options.particle_spacing);
     const double end = options.until.value_or(scene.end_time);
     if (!(end > 0)) throw InputError(fmt::format("--until is {}, expected a positive time [s]", end));
-    const RunDirectory directory(options.directory, identity_of(scene, options),
+    const std::filesystem::path& folder = options.directory;
+    const RunDirectory directory(folder, identity_of(scene, options),
                                  options.replace ? OnConflict::replace : OnConflict::refuse);
-
-    const auto start = std::chrono::steady_clock::now();
-    const double processor_start = processor_seconds();
-    Simulation simulation = assemble(scene, options.particle_spacing, options.threads);
     RunRecord record;
-    record.scene = scene.name();
-    record.variant = scene.variant;
-    record.particle_spacing = options.particle_spacing;
-    record.fluid_particles = simulation.fluid().size();
-    record.particles = simulation.fluid().size() + simulation.walls().size();
-    record.scene_text = scene.text;
-    record.scene_path = scene.path;
-    collect_provenance(simulation.instruction_set(), static_cast<unsigned>(simulation.threads()))
-        .add_to(record.choices);
-    record_parameters(record, scene, simulation);
-
-    SeriesKeeper keeper(scene, options);
-    FieldWriter fields(options.directory);
-    std::size_t next_frame = 0;
-    FieldFrame last_good;  // what an unstable run leaves behind; more often while the run is young
-    const auto observe = [&](const Simulation& s) {
-        keeper.observe(s, s.time() >= end);
-        if (next_frame < scene.frame_times.size() && s.time() >= scene.frame_times[next_frame]) {
-            while (next_frame < scene.frame_times.size() && s.time() >= scene.frame_times[next_frame])
-                ++next_frame;
-            fields.write(frame_of(s));
-        }
-        constexpr std::uint64_t steps_between = 256;
-        if (s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps())))
-            last_good = frame_of(s);
-        if (s.steps() % 64 == 0)
-            progress.update(s.time() / end,
-                            fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end, s.steps()));
-    };
-    if (const std::optional<Instability> trouble = simulation.run(end, observe)) {
-        record.status = RunStatus::unstable;
-        record.stop_reason = trouble->describe();
-        if (fields.frames().empty() || last_good.time > fields.frames().back().time) fields.write(last_good);
+    try {
+        const std::optional<Checkpoint> from = newest_checkpoint(folder);
+        if (from) remove_checkpoints_after(folder, from->step);
+        record = Run(scene, options, end, from ? &*from : nullptr).run(progress);
+        write_run(folder, record);
+    } catch (const DataError& error) {
+        throw DataError(fmt::format("{}; start the run again: wetdeck run ... --replace --out {}",
+                                    error.what(), folder.string()));
+    } catch (const EnvironmentError& error) {
+        if (list_checkpoints(folder).empty()) throw;
+        throw EnvironmentError(fmt::format("{}; when that is mended go on with: wetdeck resume {}",
+                                           error.what(), folder.string()));
     }
-    record.series = keeper.series();
-    record.cost.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    record.cost.core_s = processor_seconds() - processor_start;
-    record_cost(record, simulation);
-    write_run(options.directory, record);
     std::error_code ignored;
-    std::filesystem::remove(live_file(options.directory), ignored);
+    std::filesystem::remove(live_file(folder), ignored);
+    remove_checkpoints(folder);
     return record;
+}
+
+std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory) {
+    const std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
+    if (!checkpoint)
+        throw DataError(
+            fmt::format("{}: holds no checkpoint to go on from, expected the directory of an "
+                        "interrupted run",
+                        directory.string()));
+    std::pair<Scene, RunOptions> run{scene_in(*checkpoint), options_in(*checkpoint)};
+    run.second.directory = directory;
+    if (identity_in(directory) != identity_of(run.first, run.second))
+        throw DataError(fmt::format("{}: the checkpoint belongs to another run than the directory ({})",
+                                    directory.string(), identity_in(directory).value_or("no identity")));
+    return run;
 }
 
 }  // namespace wetdeck

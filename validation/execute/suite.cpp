@@ -17,7 +17,9 @@
 #include "solver/core/errors.hpp"
 #include "validation/execute/progress.hpp"
 #include "validation/execute/run.hpp"
+#include "validation/execute/stop_signal.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/checkpoint.hpp"
 #include "validation/store/run_directory.hpp"
 
 namespace wetdeck {
@@ -27,26 +29,60 @@ namespace fs = std::filesystem;
 
 constexpr int exit_unstable = 3, exit_environment = 4;
 
+std::string identity_of(const SuiteRow& row) {
+    const Scene scene = read_scene(find_scene(row.scene), row.variant);
+    RunOptions options;
+    options.particle_spacing = row.particle_spacing;
+    return identity_of(scene, options);
+}
+
+bool finished(const SuiteRow& row) {
+    return holds_finished_run(row.directory) && identity_in(row.directory) == identity_of(row);
+}
+
+/// Whether the directory holds a part of this run to go on from.
+bool interrupted(const SuiteRow& row) {
+    if (holds_finished_run(row.directory) || identity_in(row.directory) != identity_of(row)) return false;
+    try {
+        return newest_checkpoint(row.directory).has_value();
+    } catch (const DataError&) {  // all are damaged
+        return false;
+    }
+}
+
 /// Starts this program again for one row, with its output in a file of the run's directory.
-pid_t start(const SuiteRow& row, int threads) {
+pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
     make_directories(row.directory);
     const std::string log = (row.directory / "run.log").string();
     const std::string spacing = fmt::format("{}", row.particle_spacing);
     const std::string thread_text = std::to_string(threads);
     const std::string directory = row.directory.string();
+    const std::string interval = fmt::format("{}", options.checkpoint_interval);
     std::vector<std::string> arguments = {"wetdeck",   "run",   row.scene, "--variant",
                                           row.variant, "--dx",  spacing,   "--threads",
-                                          thread_text, "--out", directory, "--replace"};
+                                          thread_text, "--out", directory, "--checkpoint-interval",
+                                          interval};
+    if (options.fresh || !interrupted(row)) arguments.emplace_back("--replace");
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
     const pid_t parent = getpid();
+    // A signal that comes before the run can answer it must wait for it.
+    sigset_t term, before;
+    sigemptyset(&term);
+    sigaddset(&term, SIGTERM);
+    sigprocmask(SIG_BLOCK, &term, &before);
     const pid_t child = fork();
+    if (child != 0) sigprocmask(SIG_SETMASK, &before, nullptr);
     if (child < 0) throw environment_error(log, "start a run", errno);
     if (child == 0) {
         // a run must not outlive its suite: the next one would find the directory locked
         prctl(PR_SET_PDEATHSIG, SIGTERM);
         if (getppid() != parent) _exit(exit_environment);
+        // Ctrl-C reaches the whole group; the suite alone answers and passes SIGTERM on
+        signal(SIGINT, SIG_IGN);
+        signal(SIGTERM, SIG_DFL);
+        sigprocmask(SIG_SETMASK, &before, nullptr);
         const int in = open("/dev/null", O_RDONLY | O_CLOEXEC);
         const int out = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
         if (in < 0 || out < 0) _exit(exit_environment);
@@ -57,13 +93,6 @@ pid_t start(const SuiteRow& row, int threads) {
         _exit(exit_environment);
     }
     return child;
-}
-
-bool finished(const SuiteRow& row) {
-    const Scene scene = read_scene(find_scene(row.scene), row.variant);
-    RunOptions options;
-    options.particle_spacing = row.particle_spacing;
-    return holds_finished_run(row.directory) && identity_in(row.directory) == identity_of(scene, options);
 }
 
 std::string row_name(const SuiteRow& row) {
@@ -134,10 +163,16 @@ int run_suite(const SuiteOptions& options) {
     std::map<pid_t, SuiteRow> running;
     int worst = 0;
     std::size_t next = 0, ended = 0;
-    while (next < waiting.size() || !running.empty()) {
-        while (next < waiting.size() && running.size() < static_cast<std::size_t>(jobs)) {
+    bool told = false;  // the runs, to stop
+    while ((next < waiting.size() && stop_signal() == 0) || !running.empty()) {
+        if (stop_signal() != 0 && !told) {
+            for (const auto& [child, row] : running) kill(child, SIGTERM);
+            told = true;
+        }
+        while (next < waiting.size() && stop_signal() == 0 &&
+               running.size() < static_cast<std::size_t>(jobs)) {
             const SuiteRow& row = waiting[next++];
-            running.emplace(start(row, std::max(1, cores / jobs)), row);
+            running.emplace(start(row, std::max(1, cores / jobs), options), row);
         }
         int status = 0;
         const pid_t child = waitpid(-1, &status, WNOHANG);
@@ -149,12 +184,17 @@ int run_suite(const SuiteOptions& options) {
         }
         const SuiteRow row = running.at(child);
         running.erase(child);
+        const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+        if (told && code == 128 + SIGTERM) continue;  // as it was told
         worst = std::max(worst, judge(row, status));
         done += row.estimated_core_seconds;
         ++ended;
         fmt::print("  {}: done ({} of {})\n", row_name(row), ended, waiting.size());
         std::fflush(stdout);
     }
+    if (const int signal = stop_signal(); signal != 0)
+        throw Interrupted(
+            signal, fmt::format(" with {} of {} runs done; the same command goes on", ended, waiting.size()));
     return worst;
 }
 

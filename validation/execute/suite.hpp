@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/execute/run.hpp"
 #include "validation/scene/scene.hpp"
 
 namespace wetdeck {
@@ -22,15 +23,18 @@ struct SuiteOptions {
     std::string tier = "quick";
     std::vector<std::string> scenes;  ///< empty: all that come with the program
     std::filesystem::path directory;
-    int jobs = 0;        ///< runs at a time; 0: one per core
-    bool fresh = false;  ///< run again what is finished
+    int jobs = 0;                                                   ///< runs at a time; 0: one per core
+    bool fresh = false;                                             ///< run again what is finished
+    double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< of each run, wall seconds
 };
 
 /// Every row of the tier, longest first. Throws InputError for an unknown tier or scene.
 std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
 
-/// Runs the rows that are not finished. Returns the worst exit code of a row (0, 3, or 2 and 4 for failures),
-/// where a `paper` variant that becomes unstable has done its work.
+/// Runs the rows that are not finished, interrupted ones from their last checkpoint. A signal to stop is
+/// passed on to the runs, and when they have written theirs Interrupted is thrown. Returns the worst exit
+/// code of a row (0, 3, or 2 and 4 for failures), where a `paper` variant that becomes unstable has done its
+/// work.
 int run_suite(const SuiteOptions& options);
 
 /// DIR/runs/SCENE/VARIANT/dxDX

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command line. Exit codes: 0 done and within tolerance; 1 outside a stated tolerance; 2 bad usage or
-// input; 3 a run became unstable; 4 the environment failed.
+// input; 3 a run became unstable; 4 the environment failed; 130, 143 stopped by SIGINT, SIGTERM.
 #include <fmt/format.h>
 #include <omp.h>
 
@@ -12,10 +12,13 @@
 #include "validation/execute/assemble.hpp"
 #include "validation/execute/report_command.hpp"
 #include "validation/execute/run.hpp"
+#include "validation/execute/stop_signal.hpp"
 #include "validation/execute/suite.hpp"
 #include "validation/metrics/reference.hpp"
 #include "validation/program/describe.hpp"
 #include "validation/store/provenance.hpp"
+#include "validation/store/run_directory.hpp"
+#include "validation/store/run_store.hpp"
 
 namespace wetdeck {
 namespace {
@@ -33,6 +36,7 @@ struct Options {
     double until = 0;
     int threads = 0;
     bool replace = false;
+    double checkpoint_interval = RunOptions{}.checkpoint_interval;
     // suite
     SuiteOptions suite;
     // all
@@ -51,6 +55,16 @@ void print_outcome(const RunRecord& record, const fs::path& directory) {
     fmt::print("  results in {}\n", directory.string());
 }
 
+int finish_run(const Scene& scene, RunOptions run, const Options& options) {
+    run.threads = options.threads;
+    run.checkpoint_interval = options.checkpoint_interval;
+    Progress progress(fmt::format("{} {} dx {}", scene.name(), scene.variant, run.particle_spacing),
+                      options.quiet);
+    const RunRecord record = run_scene(scene, run, progress);
+    print_outcome(record, run.directory);
+    return record.status == RunStatus::ok ? exit_done : exit_unstable;
+}
+
 int run_command(const Options& options) {
     const fs::path path = find_scene(options.scene);
     const std::optional<std::string> variant =
@@ -65,20 +79,27 @@ int run_command(const Options& options) {
         run.particle_spacing = tier->second.at(scene.variant).back();
     }
     if (options.until != 0) run.until = options.until;
-    run.threads = options.threads;
     run.replace = options.replace;
     run.directory = options.out.empty()
                         ? run_path("results", scene.name(), scene.variant, run.particle_spacing)
                         : fs::path(options.out);
-    Progress progress(fmt::format("{} {} dx {}", scene.name(), scene.variant, run.particle_spacing),
-                      options.quiet);
-    const RunRecord record = run_scene(scene, run, progress);
-    print_outcome(record, run.directory);
-    return record.status == RunStatus::ok ? exit_done : exit_unstable;
+    return finish_run(scene, run, options);
+}
+
+int resume_command(const Options& options) {
+    if (holds_finished_run(options.out)) {
+        const RunRecord record = read_run(run_file(options.out));
+        fmt::print("the run had ended before, nothing is left to be done\n");
+        print_outcome(record, options.out);
+        return record.status == RunStatus::ok ? exit_done : exit_unstable;
+    }
+    const auto [scene, run] = interrupted_run(options.out);
+    return finish_run(scene, run, options);
 }
 
 int suite_command(Options& options) {
     SuiteOptions& suite = options.suite;
+    suite.checkpoint_interval = options.checkpoint_interval;
     suite.directory = options.out.empty() ? fs::path("results") / suite.tier : fs::path(options.out);
     std::vector<std::string> planned;
     for (const SuiteRow& row : suite_rows(suite))
@@ -138,7 +159,13 @@ int dispatch(int argc, char** argv) {
     app.add_flag("--version", version, "version, commit, compiler, instruction set, threads");
     app.footer(
         "Exit codes: 0 done and within tolerance, 1 outside a stated tolerance, 2 bad usage or input,\n"
-        "3 a run became unstable, 4 the environment failed (disk full, no permission).");
+        "3 a run became unstable, 4 the environment failed (disk full, no permission),\n"
+        "130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM.\n"
+        "run, resume and suite stop cleanly: each run writes a checkpoint and says how to go on (`wetdeck "
+        "resume\n"
+        "RUN_DIR`, or the same suite command again). A second signal ends the program at once; then, as "
+        "after\n"
+        "kill -9 or a power cut, the last periodic checkpoint counts.");
 
     CLI::App* suite = app.add_subcommand(
         "suite", "run every scene, spacing and variant of a tier, compare, write the report");
@@ -160,6 +187,21 @@ int dispatch(int argc, char** argv) {
     run->add_option("--threads", options.threads, "threads (all)")->check(CLI::Range(1, 4096));
     run->add_flag("--replace", options.replace, "replace the run that the directory holds");
     run->add_flag("--quiet", options.quiet, "no progress");
+    run->footer(
+        "A directory that holds the same run, interrupted, is gone on with from its last checkpoint.");
+
+    CLI::App* resume = app.add_subcommand(
+        "resume", "go on with an interrupted run from its last checkpoint; ends with the same bits");
+    resume->add_option("directory", options.out, "run directory")->required();
+    resume->add_option("--threads", options.threads, "threads (all)")->check(CLI::Range(1, 4096));
+    resume->add_flag("--quiet", options.quiet, "no progress");
+    for (CLI::App* command : {run, resume, suite})
+        command
+            ->add_option(
+                "--checkpoint-interval", options.checkpoint_interval,
+                "wall seconds between checkpoints; further apart where they would cost more than 1 %")
+            ->check(CLI::Range(0.0, 1e9))
+            ->capture_default_str();
 
     CLI::App* report = app.add_subcommand("report", "write the report again from the stored runs alone");
     report->add_option("directory", options.out, "directory of a suite or a run")->required();
@@ -181,8 +223,10 @@ int dispatch(int argc, char** argv) {
         return exit_usage;
     }
     if (version) return version_command();
+    if (*run || *resume || *suite) catch_stop_signals();
     if (*suite) return suite_command(options);
     if (*run) return run_command(options);
+    if (*resume) return resume_command(options);
     if (*report) return report_command(options);
     if (*list) return print_list(options.json), exit_done;
     if (*describe) return print_description(options.scene), exit_done;
@@ -198,6 +242,9 @@ int main(int argc, char** argv) {
     using namespace wetdeck;
     try {
         return dispatch(argc, argv);
+    } catch (const Interrupted& stop) {
+        fmt::print(stderr, "wetdeck: {}\n", stop.what());
+        return stop.exit_code();
     } catch (const InputError& error) {
         fmt::print(stderr, "wetdeck: {}\n", error.what());
         return exit_usage;

@@ -78,6 +78,19 @@ ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales) {
     return c;
 }
 
+/// Whether an entry is meant for the variant that is read; one without a list of variants is meant for all.
+bool of_this_variant(const TomlTable& table, const Scene& scene) {
+    if (!table.has("variants")) return true;
+    std::vector<std::string> known;
+    for (const VariantInfo& variant : scene.variants) known.push_back(variant.name);
+    const std::vector<std::string> named = table.texts("variants");
+    for (const std::string& name : named) {
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            table.fail("variants", fmt::format("'{}' is not a variant of this scene", name));
+    }
+    return std::find(named.begin(), named.end(), scene.variant) != named.end();
+}
+
 }  // namespace
 
 void read_analysis(const TomlTable& root, Scene& scene) {
@@ -96,12 +109,20 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     std::set<std::string> names;
     for (const TomlTable& table : root.tables("quantities")) {
         table.choice("series", series);
-        analysis.quantities.push_back(read_quantity(table, scales));
-        if (!names.insert(analysis.quantities.back().name).second) table.fail("name", "is used twice");
+        const bool wanted = of_this_variant(table, scene);
+        const QuantitySpec quantity = read_quantity(table, scales);
+        names.insert(quantity.name);
+        if (!wanted) continue;
+        const auto same = [&](const QuantitySpec& q) { return q.name == quantity.name; };
+        if (std::any_of(analysis.quantities.begin(), analysis.quantities.end(), same))
+            table.fail("name", "is used twice for one variant");
+        analysis.quantities.push_back(quantity);
     }
     for (const TomlTable& table : root.tables("compare")) {
         table.choice("quantity", series);
-        analysis.comparisons.push_back(read_comparison(table, scales));
+        const bool wanted = of_this_variant(table, scene);
+        const ComparisonSpec comparison = read_comparison(table, scales);
+        if (wanted) analysis.comparisons.push_back(comparison);
     }
     for (const TomlTable& table : root.tables("deviations")) {
         analysis.deviations.push_back(

@@ -225,6 +225,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::o
     Scene scene = read_document(TomlDocument(text, path), variant, overrides, path);
     scene.text = text;
     scene.path = path;
+    scene.overrides = overrides;
     return scene;
 }
 

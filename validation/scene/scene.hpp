@@ -94,14 +94,15 @@ struct Scene {
     std::vector<BodySpec> bodies;
     InitialPressure initial;
     std::vector<ProbeSpec> probes;
-    double end_time = 0;                ///< [s]
-    double sample_interval = 0;         ///< of the probes [s]
-    double force_filter = 0;            ///< width of the moving mean of filtered forces [s]
-    std::vector<double> frame_times;    ///< of the field files [s], sorted
-    std::vector<double> picture_times;  ///< of the frames that the report shows [s]
-    std::string text;                   ///< the file as read
-    std::string path;                   ///< where it was read
-    std::string resolved;               ///< the document after variant and --set: what decides a run
+    double end_time = 0;                 ///< [s]
+    double sample_interval = 0;          ///< of the probes [s]
+    double force_filter = 0;             ///< width of the moving mean of filtered forces [s]
+    std::vector<double> frame_times;     ///< of the field files [s], sorted
+    std::vector<double> picture_times;   ///< of the frames that the report shows [s]
+    std::string text;                    ///< the file as read
+    std::string path;                    ///< where it was read
+    std::vector<std::string> overrides;  ///< KEY=VALUE, as given
+    std::string resolved;                ///< the document after variant and --set: what decides a run
 
     const std::string& name() const { return analysis.scene; }
 };

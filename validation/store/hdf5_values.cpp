@@ -68,10 +68,11 @@ Number read_number(const Node& node, const std::string& name, H5T_class_t expect
     return value;
 }
 
-Handle array_layout(std::span<const hsize_t> shape, std::size_t values, const std::string& place) {
+Handle array_layout(std::span<const hsize_t> shape, std::size_t values, Packing packing,
+                    const std::string& place) {
     const char* message = "cannot describe the array";
     Handle layout = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, place, message);
-    if (values < compress_from) return layout;
+    if (values < compress_from || packing == Packing::plain) return layout;
     const hsize_t row = shape.size() == 2 ? shape[1] : 1;
     const std::array<hsize_t, 2> chunk{std::clamp<hsize_t>(values_per_chunk / row, 1, shape[0]), row};
     check(H5Pset_chunk(layout.id(), static_cast<int>(shape.size()), chunk.data()), place, message);
@@ -136,14 +137,14 @@ bool is_text(const Node& node, const std::string& attribute) {
 }
 
 Node write_array(const Node& parent, const std::string& name, std::span<const double> values,
-                 std::size_t columns) {
+                 std::size_t columns, Packing packing) {
     const std::string place = parent.place() + "/" + name;
     const char* message = "cannot write the array";
     std::vector<hsize_t> shape{values.size()};
     if (columns > 0) shape = {values.size() / columns, columns};
     const Handle space = own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                              H5Sclose, place, message);
-    const Handle layout = array_layout(shape, values.size(), place);
+    const Handle layout = array_layout(shape, values.size(), packing, place);
     Node dataset(own(H5Dcreate2(parent.id(), name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
                                 layout.id(), H5P_DEFAULT),
                      H5Dclose, place, message),

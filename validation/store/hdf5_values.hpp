@@ -23,9 +23,14 @@ std::uint64_t read_unsigned(const Node& node, const std::string& name);
 std::string read_text(const Node& node, const std::string& name);
 bool is_text(const Node& node, const std::string& attribute);
 
-/// A new dataset, shuffled and deflated if it is long enough to gain. `columns` = 0 makes it one-dimensional.
+enum class Packing {
+    deflated,  ///< shuffled and deflated if it is long enough to gain
+    plain,
+};
+
+/// A new dataset. `columns` = 0 makes it one-dimensional.
 Node write_array(const Node& parent, const std::string& name, std::span<const double> values,
-                 std::size_t columns = 0);
+                 std::size_t columns = 0, Packing packing = Packing::deflated);
 
 struct Array {
     std::vector<hsize_t> shape;  ///< one or two extents
