@@ -49,10 +49,11 @@ double gap_to_water(const Simulation& simulation, std::size_t body, Vec2 from, V
     const RigidBody& b = simulation.bodies().at(body);
     const double length = (to - from).norm();
     const Vec2 along = (to - from) / length, outward(along.y(), -along.x());
+    const Eigen::Matrix2d into_frame = b.axes().transpose();
     const FluidParticles& fluid = simulation.fluid();
     double gap = (simulation.domain().high - simulation.domain().low).norm();
     for (std::size_t i = 0; i < fluid.water; ++i) {
-        const Vec2 r = b.local(fluid.state[i].position()) - from;
+        const Vec2 r = into_frame * (fluid.state[i].position() - b.position) - from;
         const double s = r.dot(along), distance = r.dot(outward);
         if (s >= 0 && s <= length && distance > 0) gap = std::min(gap, distance);
     }

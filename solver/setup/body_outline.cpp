@@ -110,7 +110,7 @@ std::vector<SurfacePoint> spaced_points(const std::vector<Vec2>& ring, double pa
 /// Shrinking the body by half the support and growing it back loses the parts that are thinner than the
 /// support.
 void check_thickness(const Polygon& polygon, double particle_spacing, double support) {
-    const double depth = 0.5 * support * (1 - 1e-6);
+    const double depth = 0.5 * support * (1 - 1e-3);
     MultiPolygon lost;
     bg::difference(polygon, offset(offset(polygon, -depth), depth), lost);
     constexpr double least_area = 0.1;  // of support^2: what rounding leaves at corners does not count

@@ -15,7 +15,7 @@ const std::vector<std::string> metric_names = {
     "slope",  "first_crossing",     "value_at", "rms_difference",  "integral",
     "change", "first_peak_integral"};
 
-/// A scale is a name from [scales].
+/// A scale or an origin is a name from [scales] or [origins].
 double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {
     if (!table.has(key)) return fallback;
     std::vector<std::string> names;
@@ -30,13 +30,13 @@ std::optional<Window> window(const TomlTable& table) {
     return Window{ends[0], ends[1]};
 }
 
-QuantitySpec read_quantity(const TomlTable& table, const Scales& scales) {
+QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const Scales& origins) {
     QuantitySpec q;
     q.name = table.text("name");
     q.metric = table.choice("metric", metric_names);
     q.series = table.text("series");
     q.x_scale = scale(table, "x_scale", scales);
-    q.x_offset = scale(table, "x_origin", scales, 0);
+    q.x_offset = scale(table, "x_origin", origins, 0);
     q.y_scale = scale(table, "y_scale", scales);
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
@@ -59,7 +59,7 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales) {
     return q;
 }
 
-ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales) {
+ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales, const Scales& origins) {
     ComparisonSpec c;
     c.title = table.text("title");
     c.quantity = table.text("quantity");
@@ -67,7 +67,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales) {
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
     c.x_scale = scale(table, "x_scale", scales);
-    c.x_offset = scale(table, "x_origin", scales, 0);
+    c.x_offset = scale(table, "x_origin", origins, 0);
     c.y_scale = scale(table, "y_scale", scales);
     c.y_offset = table.number_or("y_offset", 0);
     c.window = window(table);
@@ -94,7 +94,10 @@ bool of_this_variant(const TomlTable& table, const Scene& scene) {
 }  // namespace
 
 void read_analysis(const TomlTable& root, Scene& scene) {
-    Scales scales;
+    Scales scales, origins;
+    if (const std::optional<TomlTable> table = root.optional_table("origins")) {
+        for (const std::string& name : table->keys()) origins[name] = table->number(name);
+    }
     if (const std::optional<TomlTable> table = root.optional_table("scales")) {
         for (const std::string& name : table->keys()) scales[name] = table->positive(name);
     }
@@ -110,7 +113,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     for (const TomlTable& table : root.tables("quantities")) {
         table.choice("series", series);
         const bool wanted = of_this_variant(table, scene);
-        const QuantitySpec quantity = read_quantity(table, scales);
+        const QuantitySpec quantity = read_quantity(table, scales, origins);
         names.insert(quantity.name);
         if (!wanted) continue;
         const auto same = [&](const QuantitySpec& q) { return q.name == quantity.name; };
@@ -121,7 +124,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     for (const TomlTable& table : root.tables("compare")) {
         table.choice("quantity", series);
         const bool wanted = of_this_variant(table, scene);
-        const ComparisonSpec comparison = read_comparison(table, scales);
+        const ComparisonSpec comparison = read_comparison(table, scales, origins);
         if (wanted) analysis.comparisons.push_back(comparison);
     }
     for (const TomlTable& table : root.tables("deviations")) {
