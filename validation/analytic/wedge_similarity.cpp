@@ -242,18 +242,16 @@ double added_mass(const FreeSurface& surface, const Face& face, double unit) {
 }
 
 void add_surface(WedgeSimilarity& wedge, const FreeSurface& surface, double unit) {
-    const ArrayXd& delta = surface.delta();
-    double x = wedge.tip_x, z = wedge.tip_z, before = 0;
-    wedge.surface_x = {x};
-    wedge.surface_z = {z};
-    for (Index i = 0; i < surface_nodes && x < wedge.tip_x + farthest_surface; ++i) {
-        const double length = (surface.s()(i) - before) / unit;
-        const double direction = i > 0 ? 0.5 * (delta(i - 1) + delta(i)) : delta(0);
-        before = surface.s()(i);
-        x += length * std::cos(direction);
-        z += length * std::sin(direction);
-        wedge.surface_x.push_back(x);
-        wedge.surface_z.push_back(z);
+    const auto from_tip = [&](const ArrayXd& rate) -> ArrayXd {
+        return running_integral(rate * surface.s_l() / unit, step, rate(0) * surface.s()(0) / unit);
+    };
+    const ArrayXd x = wedge.tip_x + from_tip(surface.delta().cos());
+    const ArrayXd z = wedge.tip_z + from_tip(surface.delta().sin());
+    wedge.surface_x = {wedge.tip_x};
+    wedge.surface_z = {wedge.tip_z};
+    for (Index i = 0; i < surface_nodes && wedge.surface_x.back() < wedge.tip_x + farthest_surface; ++i) {
+        wedge.surface_x.push_back(x(i));
+        wedge.surface_z.push_back(z(i));
     }
 }
 
