@@ -27,7 +27,7 @@ TEST_CASE("Free fall of the drop test follows an independent integration", "[ana
     REQUIRE(fall.time.size() == 8);
     for (std::size_t i = 0; i < 8; ++i) {
         CHECK(fall.time[i] == Approx(0.0025 * static_cast<double>(i)).margin(1e-15));
-        // alpha differs by 0.6 % (the tip of the jet): that moves V by 1 mm/s and F by 0.15 %.
+        // alpha differs by 0.6 %: that moves V by 1 mm/s and F by 0.15 %.
         CHECK(fall.velocity[i] == Approx(velocity[i]).margin(2e-3));
         CHECK(fall.force[i] == Approx(force[i]).epsilon(2e-3));
     }

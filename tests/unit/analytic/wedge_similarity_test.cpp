@@ -99,9 +99,11 @@ TEST_CASE("Wagner and von Karman: the published closed forms", "[analytic]") {
     CHECK(von_karman_force_coefficient(radians(30)) == Approx(std::numbers::pi * cot * cot));
 }
 
-TEST_CASE("The added mass of the wetted wedge follows from the momentum of an impulse", "[analytic]") {
-    // An independent quadrature of the same map gives 8.304 at 30 and 13.41 at 25 degrees but leaves out the
-    // tip of the jet, which adds pi^2/mu times the square of the wetting rate there: 1 % is allowed for it.
+TEST_CASE("The added mass of the wetted wedge, against another quadrature and against a plate",
+          "[analytic]") {
+    // An independent quadrature of the same map gives 8.304 at 30 and 13.41 at 25 degrees, 0.6 and 0.7 % less
+    // than here; which of the two is nearer is not settled. Ours does not move by 1e-6 when the tip is cut
+    // off elsewhere.
     CHECK(wedge_similarity(radians(30)).added_mass_coefficient == Approx(8.304).epsilon(0.01));
     CHECK(wedge_similarity(radians(25)).added_mass_coefficient == Approx(13.41).epsilon(0.01));
     // A plate as wide as the wetted wedge (x of the spray root) has (pi/2) c^2; the wedge, with a face that
