@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "solver/core/errors.hpp"
+#include "validation/analytic/curves.hpp"
 #include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
@@ -156,7 +157,11 @@ const Reference* ReferenceShelf::find(const std::string& stem) {
     if (found == files_.end()) {
         const std::filesystem::path path = directory_ / (stem + ".csv");
         std::optional<Reference> reference;
-        if (std::filesystem::exists(path)) reference = load_reference(path);
+        if (is_analytic(stem)) {
+            reference = parse_reference(stem, analytic_reference(stem));
+        } else if (std::filesystem::exists(path)) {
+            reference = load_reference(path);
+        }
         found = files_.emplace(stem, std::move(reference)).first;
     }
     return found->second ? &*found->second : nullptr;

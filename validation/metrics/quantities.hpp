@@ -13,13 +13,15 @@
 
 namespace wetdeck {
 
-/// The reference files of one scene, each read once.
+/// The references of one scene, each read or computed once.
 class ReferenceShelf {
   public:
     /// `directory` holds the files of the scene, for example reference_data/dam_break.
     explicit ReferenceShelf(std::filesystem::path directory) : directory_(std::move(directory)) {}
 
-    /// The file `stem`.csv, or null if there is none. Throws DataError if it is there but not sound.
+    /// The file `stem`.csv, or null if there is none; the computed curve where `stem` begins with
+    /// "analytic:". Throws DataError if the file is there but not sound, InputError for an analytic curve
+    /// there is not.
     const Reference* find(const std::string& stem);
 
   private:

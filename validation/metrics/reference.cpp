@@ -232,6 +232,10 @@ Reference load_reference(const std::filesystem::path& path) {
     return Reader(path, text).read();
 }
 
+Reference parse_reference(const std::string& name, std::string_view text) {
+    return Reader(name, text).read();
+}
+
 const Column& find_column(const Reference& reference, const std::string& name) {
     std::vector<std::string> names;
     for (const Column& column : reference.columns) {

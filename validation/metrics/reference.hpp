@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "validation/metrics/curve.hpp"
@@ -36,6 +37,10 @@ struct Reference {
 /// Reads and checks a reference file of at most 20 MB. Throws DataError, "file:line: what was found, what was
 /// expected".
 Reference load_reference(const std::filesystem::path& path);
+
+/// The same of a text in that format which comes from somewhere else; `name` stands for the file in messages
+/// and as path.
+Reference parse_reference(const std::string& name, std::string_view text);
 
 /// The column of that name; throws DataError, naming the columns there are.
 const Column& find_column(const Reference& reference, const std::string& name);

@@ -30,7 +30,7 @@ struct QuantitySpec {
     double y_scale = 1;   ///< SI units per unit of the scaled value
     std::optional<Window> window;
     std::optional<double> threshold;
-    std::string reference;  ///< file stem in reference_data/<scene>/, for rms_difference
+    std::string reference;  ///< as in ComparisonSpec, for rms_difference
     std::string y_column;   ///< column of the reference
     std::string unit = "-";
     /// What the quantity should be, if anything is known: value +- tolerance, and who says so.
@@ -43,7 +43,7 @@ struct QuantitySpec {
 struct ComparisonSpec {
     std::string title;
     std::string quantity;   ///< name of the series
-    std::string reference;  ///< file stem in reference_data/<scene>/
+    std::string reference;  ///< file stem in reference_data/<scene>/, or "analytic:NAME key=value ..."
     std::string x_column;
     std::string y_column;
     double x_offset = 0;  ///< instant at which the scaled time is zero [s]

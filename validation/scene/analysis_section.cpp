@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "solver/core/errors.hpp"
+#include "validation/analytic/curves.hpp"
 #include "validation/scene/sections.hpp"
 
 namespace wetdeck {
@@ -30,6 +32,18 @@ std::optional<Window> window(const TomlTable& table) {
     return Window{ends[0], ends[1]};
 }
 
+/// A file may be missing, it is looked for when the report is written; a curve to be computed must be one
+/// there is.
+std::string read_reference(const TomlTable& table, std::string reference) {
+    if (!is_analytic(reference)) return reference;
+    try {
+        check_analytic(reference);
+    } catch (const InputError& error) {
+        table.fail("reference", error.what());
+    }
+    return reference;
+}
+
 QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const Scales& origins) {
     QuantitySpec q;
     q.name = table.text("name");
@@ -40,7 +54,7 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const S
     q.y_scale = scale(table, "y_scale", scales);
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
-    q.reference = table.text_or("reference", "");
+    q.reference = read_reference(table, table.text_or("reference", ""));
     q.y_column = table.text_or("y_column", "");
     q.unit = table.text_or("unit", "-");
     q.expected = table.optional_number("expected");
@@ -63,7 +77,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales, con
     ComparisonSpec c;
     c.title = table.text("title");
     c.quantity = table.text("quantity");
-    c.reference = table.text("reference");
+    c.reference = read_reference(table, table.text("reference"));
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
     c.x_scale = scale(table, "x_scale", scales);

@@ -255,3 +255,9 @@ TEST_CASE("an unknown variant is refused with the list of known ones") {
 TEST_CASE("a tier of a variant that the scene does not have is refused") {
     expect("two-phase = [0.02]", "both = [0.02]", "tiers.standard.both", "is not a variant of this scene");
 }
+
+TEST_CASE("an analytic curve that does not exist is refused when the scene is read") {
+    REQUIRE_THAT(refusal(with("nobody_front", "analytic:nothing")),
+                 Contains("'analytic:nothing': no analytic curve 'nothing', there are wedge_pressure"));
+    REQUIRE(refusal(with("nobody_front", "analytic:wedge_pressure deadrise=30")) == "");
+}

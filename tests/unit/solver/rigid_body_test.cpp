@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A rigid body by itself: velocity Verlet is exact for constant loads, and the pose never drifts.
+#include "solver/bodies/rigid_body.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace wetdeck;
+
+namespace {
+
+constexpr double step = 1e-3;
+const Vec2 gravity(0.5, -9.81);
+
+RigidBody hull() {
+    RigidBody body;
+    body.mass = 3;
+    body.inertia = 0.7;
+    body.position = {1, 2};
+    body.velocity = {0.25, -1};
+    body.angular_velocity = 2;
+    return body;
+}
+
+/// As the time loop does it, with a constant load by the fluid.
+void advance(RigidBody& body, int steps, Vec2 force = Vec2::Zero(), double torque = 0) {
+    body.load(force, torque, gravity);
+    for (int n = 0; n < steps; ++n) {
+        body.kick(0.5 * step);
+        body.drift(0.5 * step);
+        body.drift(0.5 * step);
+        body.load(force, torque, gravity);
+        body.kick(0.5 * step);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Free fall and torque-free rotation are exact to rounding", "[body]") {
+    RigidBody body = hull();
+    advance(body, 2000);
+    const Vec2 expected = Vec2(1, 2) + 2 * Vec2(0.25, -1) + 2 * gravity;
+    CHECK((body.position - expected).norm() < 1e-11);
+    CHECK(body.angle == Approx(4).epsilon(1e-12));
+    CHECK(body.angular_velocity == 2);
+    CHECK(body.impulse == Vec2::Zero());
+}
+
+TEST_CASE("Constant loads give the motion and the impulse of the textbook", "[body]") {
+    RigidBody body = hull();
+    body.applied_force = {0, 6};
+    body.applied_torque = 0.3;
+    advance(body, 1000, {3, 0}, 0.4);
+    CHECK(body.velocity.x() == Approx(0.25 + 1 + 0.5));
+    CHECK(body.velocity.y() == Approx(-1 + 2 - 9.81));
+    CHECK(body.angular_velocity == Approx(2 + 1));
+    CHECK(body.angle == Approx(2 + 0.5));
+    CHECK(body.impulse.x() == Approx(3));
+    CHECK(body.angular_impulse == Approx(0.4));
+    // work of the fluid alone: F dx + T dtheta
+    CHECK(body.work == Approx(3 * (0.25 + 0.75) + 0.4 * 2.5));
+}
+
+TEST_CASE("A locked degree of freedom keeps its velocity, whatever the load", "[body]") {
+    RigidBody body = hull();
+    body.free = {false, true, false};
+    advance(body, 1000, {1e6, 0}, 1e6);
+    CHECK(body.velocity.x() == 0.25);
+    CHECK(body.angular_velocity == 2);
+    CHECK(body.velocity.y() == Approx(-1 - 9.81));
+    CHECK(body.acceleration.x() == 0);
+}
+
+TEST_CASE("Points of a body keep their distance over a million steps", "[body]") {
+    RigidBody body = hull();
+    const Vec2 a(0.3, -0.2), b(-0.5, 0.1);
+    for (int n = 0; n < 1'000'000; ++n) body.drift(step);
+    CHECK((body.placed(a) - body.placed(b)).norm() == Approx((a - b).norm()).epsilon(1e-12));
+    CHECK((body.local(body.placed(a)) - a).norm() < 1e-12);
+}
+
+TEST_CASE("Velocity and acceleration of a point are those of a turning frame", "[body]") {
+    RigidBody body = hull();
+    body.acceleration = {1, 1};
+    body.angular_acceleration = 5;
+    const Vec2 arm(0, 0.5);
+    CHECK((body.velocity_at(arm) - Vec2(0.25 - 2 * 0.5, -1)).norm() < 1e-15);
+    CHECK((body.acceleration_at(arm) - Vec2(1 - 5 * 0.5, 1 - 4 * 0.5)).norm() < 1e-15);
+}
