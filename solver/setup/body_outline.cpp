@@ -144,7 +144,9 @@ void check_outline(const Outline& outline) {
 double distance_to(const Outline& outline, Vec2 point) {
     const Polygon polygon = polygon_of(outline);
     const Point p(point.x(), point.y());
-    const double distance = bg::distance(p, polygon.outer());
+    // as a line: a closed ring counts as filled, and what is filled is at no distance from a point in it
+    const bg::model::linestring<Point> line(polygon.outer().begin(), polygon.outer().end());
+    const double distance = bg::distance(p, line);
     return bg::within(p, polygon) ? -distance : distance;
 }
 
