@@ -120,8 +120,9 @@ Problem hydrostatic_tank() {
          "below a tenth of sqrt(g dx), what a particle gains by falling one spacing: order 1/2 at least"},
         {"currents_air", "rms speed of the air over sqrt(g H)", resolution, std::sqrt(0.1), Window{0.5, 3},
          "at most sqrt(g dx): the air, a thousandth as heavy, follows every motion of the interface; order 1/2 at least"},
-        {"pressure_water", "rms error of the pressure in the water over rho g H", resolution, 0.05, Window{0.5, 2.5},
-         "the weight of half a spacing: the lattice settles by less; first order"},
+        {"pressure_water", "rms error of the pressure in the water over rho g H", resolution, 0.01, {},
+         "the lattice's moment of the gradient (0.26 %, no refinement at fixed h/dx changes it) and the weight of what the "
+         "lattice settles by, less than a tenth of a spacing; no order expected"},
         {"pressure_air", "rms error of the pressure in the air over rho g H", resolution, 0.05, Window{0.5, 2.5},
          "the weight of half a spacing of water, which rests on the air's outermost particles; first order"},
         {"interface", "rms error of the depth at ten stations over H", resolution, 0.05, Window{0.5, 2.5},

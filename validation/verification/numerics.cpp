@@ -30,6 +30,7 @@ double call(double x, void* function) {
 }  // namespace
 
 double integral(const Function& f, double from, double to) {
+    if (from == to) return 0;
     const ErrorsReturned errors;
     constexpr std::size_t intervals = 1000;
     const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(

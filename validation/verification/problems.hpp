@@ -12,8 +12,13 @@ Problem kernel_moments();
 Problem riemann_problem();
 Problem acoustic_pulse();
 Problem hydrostatic_tank();
+Problem gravity_wave();
 Problem taylor_green();
+Problem square_patch();
+Problem block_impact();
 Problem trapped_air_piston();
+Problem ritter();
+Problem released_column();
 
 const std::vector<Problem>& all_problems();
 

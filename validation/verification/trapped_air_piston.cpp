@@ -9,7 +9,7 @@
 namespace wetdeck::verification {
 namespace {
 
-constexpr double air_length = 1, slug_length = 0.5;
+constexpr double air_length = 1, slug_length = 0.5, tube_height = 0.5;  // [m]
 
 struct Law {
     std::string name, words;
@@ -19,9 +19,9 @@ struct Law {
 
 const std::vector<Law>& laws() {
     static const std::vector<Law> list = {
-        {"soft", "gamma = 1.4, softer than the equal-coefficient rule", 1.4, 170, 100, 0.5},
-        {"real", "gamma = 1.4, sound speed of real air", 1.4, 340, 200, 0.5},
-        {"stiff", "gamma = 7", 7, 170, 100, 0.75}};
+        {"soft", "gamma = 1.4, softer than the equal-coefficient rule", 1.4, 170, 100, 0.8},
+        {"real", "gamma = 1.4, sound speed of real air", 1.4, 340, 200, 0.8},
+        {"stiff", "gamma = 7", 7, 170, 100, 0.85}};
     return list;
 }
 
@@ -66,7 +66,7 @@ double turning_time(const Law& law) {
 Simulation tube(const Law& law, double dx) {
     Model model = two_phase_model(law.water_sound_speed, law.air_sound_speed, 0);
     model.air.eos = air_of(law);
-    const double height = 6 * dx;
+    const double height = tube_height;
     Setup setup(model, {{0, 0}, {air_length + slug_length + 0.5, height}}, dx, true);
     setup.fill(Phase::water, {{air_length, 0}, {air_length + slug_length, height}});
     setup.fill(Phase::air, {{0, 0}, {air_length, height}});
@@ -95,7 +95,7 @@ void run_law(Findings& findings, const Law& law) {
                 sum += f.state[i].volume * f.state[i].pressure;
             }
             times.push_back(s.time());
-            lengths.push_back(volume / (6 * dx));
+            lengths.push_back(volume / tube_height);
             pressure.x.push_back(s.time() / turn);
             pressure.y.push_back(sum / volume / closest_pressure);
         });
