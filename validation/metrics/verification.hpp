@@ -21,6 +21,7 @@ struct Claim {
     double bound = 0;               ///< largest error at the coarsest resolution
     std::optional<Window> order;    ///< range of the slope of log error over log resolution; empty: none expected
     std::string reason;             ///< where the bound and the order come from
+    std::string known_miss = {};    ///< why the scheme does not hold it, by how much; empty: it should
 };
 
 /// A claim and what came out. Resolutions are lengths (or amplitudes): smaller is finer. Coarse to fine.

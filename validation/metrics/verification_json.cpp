@@ -52,6 +52,7 @@ json row_json(const std::string& problem, const VerificationRow& row) {
             {"expected_order_range", range ? json{range->begin, range->end} : json(nullptr)},
             {"bound", number(row.claim.bound)},
             {"reason", row.claim.reason},
+            {"known_miss", row.claim.known_miss},
             {"within", row.within}};
 }
 
@@ -60,6 +61,7 @@ VerificationRow read_row(const json& entry) {
     row.claim.quantity = entry.at("quantity");
     row.claim.meaning = entry.at("meaning");
     row.claim.resolution = entry.at("resolution_is");
+    row.claim.known_miss = entry.at("known_miss");
     row.claim.bound = entry.at("bound");
     row.claim.reason = entry.at("reason");
     const json& range = entry.at("expected_order_range");

@@ -16,6 +16,7 @@ using std::numbers::pi;
 constexpr double height = 1, length = 1, speed = 1;
 constexpr double sound_speed = 100 * speed;
 constexpr double duration = 0.1;  // in height / speed: ten passages of sound
+constexpr double mean_start = 0.02;  // of the mean motion: eight passages
 
 /// Share of the kinetic energy that is lost. The impulse obeys Laplace's equation, vanishes on the three free sides, and
 /// has the slope -rho U at the plane of contact; by Kelvin the loss is U/2 times its integral there:
@@ -40,12 +41,24 @@ void run(Findings& findings) {
         const double start = balance(simulation).kinetic;
         Curve energy{{0}, {1}};
         Vec2 momentum = Vec2::Zero();
+        std::vector<Vec2> before(setup.fluid.size());
+        double mean_from = 0;
         advance(simulation, duration * height / speed, [&](const Simulation& s) {
             const Balance b = balance(s);
             energy.x.push_back(s.time() * speed / height);
             energy.y.push_back((b.kinetic + b.compression) / start);
             momentum = b.momentum;
+            if (mean_from > 0 || s.time() < mean_start * height / speed) return;
+            mean_from = s.time();
+            for (std::size_t i = 0; i < s.fluid().size(); ++i) before[s.fluid().id[i]] = s.fluid().state[i].position();
         });
+        // velocities averaged over a period of sound: what the water does apart from ringing
+        double mean_motion = 0;
+        for (std::size_t i = 0; i < simulation.fluid().size(); ++i) {
+            const Vec2 moved = simulation.fluid().state[i].position() - before[simulation.fluid().id[i]];
+            mean_motion += 0.5 * simulation.fluid().mass[i] * (moved / (simulation.time() - mean_from)).squaredNorm();
+        }
+        findings.record("mean_motion", dx / height, std::abs((1 - mean_motion / start) / exact_loss() - 1));
         const double loss = 1 - energy.y.back();
         findings.record("energy_loss", dx / height, std::abs(loss / exact_loss() - 1));
         findings.record("momentum", dx / height, momentum.norm() / (water_density * height * length * speed));
@@ -67,7 +80,12 @@ Problem block_impact() {
     problem.claims = {
         {"energy_loss", "relative error of the loss of mechanical energy after ten passages of sound", "dx / height", 0.2, {},
          "the lost motion first becomes sound, which the scheme damps: over ten passages the sound's amplitude falls by a "
-         "factor of ten at least where its waves are shorter than half a block. 20 % are left to the slowest mode; no order expected"},
+         "factor of ten at least where its waves are shorter than half a block. 20 % are left to the slowest mode; no order expected",
+         "The finer the spacing, the less is lost: 17, 13 and 10 % of the energy at 20, 40 and 80 spacings instead of 27 %. The rest "
+         "is sound, which the limited dissipation (a tenth to a fifth of Riemann's at this Mach number) hardly damps; the motion "
+         "without the sound has the exact energy."},
+        {"mean_motion", "relative error of the loss, of the velocities averaged over eight passages of sound", "dx / height", 0.15, {},
+         "particles in a strip of one smoothing length along the three free sides lack half their neighbours: 3 h / H / 2 = 11 % at 20 spacings"},
         {"momentum", "momentum over that of one block", "dx / height", 1e-12, {}, "rounding: equal and opposite forces"},
     };
     problem.run = run;

@@ -86,7 +86,7 @@ void run(Findings& findings) {
         findings.record("currents_air", dx / depth, means.air_speed / means.samples / wave_speed);
         findings.record("pressure_water", dx / depth, means.water_pressure / means.samples / weight);
         findings.record("pressure_air", dx / depth, means.air_pressure / means.samples / weight);
-        findings.record("interface", dx / depth, means.interface / means.samples / depth);
+        findings.record("interface", dx / depth, means.interface / means.samples / dx);
         const std::string label = "dx/H = " + std::to_string(dx / depth).substr(0, 5);
         std::vector<std::pair<double, double>> points;
         for (const FluidState& p : simulation.fluid().state) {
@@ -115,18 +115,21 @@ Problem hydrostatic_tank() {
     problem.exact = "p = rho g (surface - y) in each fluid, nothing moves. Over the last fifth of ten times sqrt(H/g), "
                     "about a hundred passages of sound.";
     const std::string resolution = "dx / depth H";
+    const std::string no_decay =
+        "The currents do not fall with the spacing. The lattice, on which nothing moves, gives way after a time that is "
+        "shorter the finer it is (4 sqrt(H/g) at 20 spacings, 2.5 at 40; never at 10), and the particles rearrange with an rms speed of "
+        "0.0045 sqrt(g H) at either spacing, which then decays slowly.";
     problem.claims = {
         {"currents_water", "rms speed of the water over sqrt(g H)", resolution, 0.1 * std::sqrt(0.1), Window{0.5, 3},
-         "below a tenth of sqrt(g dx), what a particle gains by falling one spacing: order 1/2 at least"},
+         "below a tenth of sqrt(g dx), what a particle gains by falling one spacing: order 1/2 at least", no_decay},
         {"currents_air", "rms speed of the air over sqrt(g H)", resolution, std::sqrt(0.1), Window{0.5, 3},
-         "at most sqrt(g dx): the air, a thousandth as heavy, follows every motion of the interface; order 1/2 at least"},
+         "at most sqrt(g dx): the air, a thousandth as heavy, follows every motion of the interface; order 1/2 at least", no_decay},
         {"pressure_water", "rms error of the pressure in the water over rho g H", resolution, 0.01, {},
          "the lattice's moment of the gradient (0.26 %, no refinement at fixed h/dx changes it) and the weight of what the "
          "lattice settles by, less than a tenth of a spacing; no order expected"},
         {"pressure_air", "rms error of the pressure in the air over rho g H", resolution, 0.05, Window{0.5, 2.5},
          "the weight of half a spacing of water, which rests on the air's outermost particles; first order"},
-        {"interface", "rms error of the depth at ten stations over H", resolution, 0.05, Window{0.5, 2.5},
-         "half a spacing; first order"},
+        {"interface", "rms error of the depth at ten stations over dx", resolution, 0.5, {}, "half a spacing"},
     };
     problem.run = run;
     return problem;

@@ -19,6 +19,7 @@ Problem block_impact();
 Problem trapped_air_piston();
 Problem ritter();
 Problem released_column();
+Problem floating_body();
 
 const std::vector<Problem>& all_problems();
 

@@ -37,6 +37,8 @@ void run(Findings& findings) {
             return greco_pressure(water_density, gravity, depth, -at.x(), at.y());
         });
         Simulation simulation = setup.simulate();
+        advance(simulation, 0.75 * time);
+        const double front_before = front_position(simulation);
         advance(simulation, time);
         Curve profile;
         double squares = 0, count = 0;
@@ -50,7 +52,8 @@ void run(Findings& findings) {
         }
         findings.record("profile", dx / depth, std::sqrt(squares / count));
         findings.record("dam_depth", dx / depth, std::abs(water_depth(simulation, 0, 0.2 * depth) / depth / ritter_depth(0) - 1));
-        findings.record("front", dx / depth, std::abs(front_position(simulation) / (2 * time * wave_speed) - 1));
+        const double front_speed = (front_position(simulation) - front_before) / (0.25 * time);
+        findings.record("front_speed", dx / depth, std::abs(front_speed / (2 * wave_speed) - 1));
         figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 5), std::move(profile));
     }
     findings.figure(std::move(figure));
@@ -71,8 +74,9 @@ Problem ritter() {
     problem.claims = {
         {"profile", "rms error of the depth over H, where -0.8 < x / (t sqrt(g H)) < 1.25", resolution, 0.04, {}, why},
         {"dam_depth", "relative error of the depth at the dam, 4/9 H", resolution, 0.08, {}, why},
-        {"front", "relative error of the front's position, 2 sqrt(g H) t", resolution, 0.12, {},
-         "the front starts from rest: it needs until about t sqrt(g/H) = 1 to gain its speed and lags by up to one depth of eight"},
+        {"front_speed", "relative error of the front's speed over 3 < t sqrt(g/H) < 4, 2 sqrt(g H)", resolution, 0.1, {},
+         "the front starts from rest and comes near its speed from below: inviscid simulations and experiments have 1.88 sqrt(g H), "
+         "6 % less, at t sqrt(g/H) = 2"},
     };
     problem.run = run;
     return problem;

@@ -23,13 +23,14 @@ struct Setup {
     Model model;
     FluidParticles fluid;
     WallParticles walls;
+    std::vector<RigidBody> bodies;
     double particle_spacing = 0;
     Box domain;
 
     /// A tank with walls all around; without them its sides are only where particles are expected.
     Setup(const Model& model, Box domain, double particle_spacing, bool with_walls);
     void fill(Phase phase, Box box);
-    Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain); }
+    Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain, bodies); }
 };
 
 /// Uniform numbers that are the same everywhere.
