@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests of the verification: each deliberate breakage of the solver makes the problem that is named beside it fail. The
-// breakages are those of mutations.txt; all of them are in this program, and a number says which is on.
+// Tests of the verification: each deliberate breakage of the solver makes the problem that is named beside it
+// fail. The breakages are those of mutations.txt; all of them are in this program, and a number says which is
+// on.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <map>

@@ -23,8 +23,8 @@ void print_problem(const VerificationProblem& problem) {
         const std::string order = row.order && row.claim.order ? fmt::format("{:5.2f}", *row.order) : "    -";
         const std::string range =
             row.claim.order ? fmt::format("{} to {}", row.claim.order->begin, row.claim.order->end) : "none";
-        fmt::print("  {} {:34} error{:40} bound {:8.3g}  order {} (expected {})\n",
-                   row.within ? "  " : "X ", row.claim.quantity, errors, row.claim.bound, order, range);
+        fmt::print("  {} {:34} error{:40} bound {:8.3g}  order {} (expected {})\n", row.within ? "  " : "X ",
+                   row.claim.quantity, errors, row.claim.bound, order, range);
     }
     if (!problem.unstable.empty()) fmt::print("  unstable {}\n", problem.unstable);
     std::fflush(stdout);

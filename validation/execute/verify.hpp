@@ -16,8 +16,8 @@ struct VerifyOptions {
     bool fast = false;  ///< the quick problems alone, at their coarse resolutions
 };
 
-/// Runs the problems, prints a table each, writes DIR/verification.json. Results of other problems that the file holds
-/// stay.
+/// Runs the problems, prints a table each, writes DIR/verification.json. Results of other problems that the
+/// file holds stay.
 std::vector<VerificationProblem> run_verification(const VerifyOptions& options);
 
 }  // namespace wetdeck

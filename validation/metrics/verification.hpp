@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results of problems with exact solutions, as plain data: what verification.json, summary.json and the report
-// show. A problem states each of its claims before it is run; whether a claim held is decided here, by one rule.
+// Results of problems with exact solutions, as plain data: what verification.json, summary.json and the
+// report show. A problem states each of its claims before it is run; whether a claim held is decided here, by
+// one rule.
 #pragma once
 
 #include <optional>
@@ -15,13 +16,14 @@ namespace wetdeck {
 
 /// What a problem promises of one of its errors.
 struct Claim {
-    std::string quantity;           ///< name of the error
-    std::string meaning;            ///< difference of what from what, over what scale
-    std::string resolution;         ///< what the resolution counts: "dx / depth"
-    double bound = 0;               ///< largest error at the coarsest resolution
-    std::optional<Window> order;    ///< range of the slope of log error over log resolution; empty: none expected
-    std::string reason;             ///< where the bound and the order come from
-    std::string known_miss = {};    ///< why the scheme does not hold it, by how much; empty: it should
+    std::string quantity;    ///< name of the error
+    std::string meaning;     ///< difference of what from what, over what scale
+    std::string resolution;  ///< what the resolution counts: "dx / depth"
+    double bound = 0;        ///< largest error at the coarsest resolution
+    std::optional<Window>
+        order;           ///< range of the slope of log error over log resolution; empty: none expected
+    std::string reason;  ///< where the bound and the order come from
+    std::string known_miss = {};  ///< why the scheme does not hold it, by how much; empty: it should
 };
 
 /// A claim and what came out. Resolutions are lengths (or amplitudes): smaller is finer. Coarse to fine.
@@ -49,7 +51,8 @@ struct VerificationProblem {
     double wall_s = 0;
 };
 
-/// Slope of the least-squares line through (log resolution, log error); empty with fewer than two positive errors.
+/// Slope of the least-squares line through (log resolution, log error); empty with fewer than two positive
+/// errors.
 std::optional<double> observed_slope(const std::vector<double>& resolution, const std::vector<double>& error);
 
 /// Fills order and within. A claim holds if every error is finite and at most

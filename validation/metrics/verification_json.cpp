@@ -87,8 +87,9 @@ json problem_json(const VerificationProblem& problem) {
                            {"exact", curve_json(figure.exact)},
                            {"computed", computed}});
     }
-    return {{"name", problem.name}, {"title", problem.title}, {"exact", problem.exact},
-            {"rows", rows},         {"figures", figures},     {"notes", problem.notes},
+    return {{"name", problem.name},         {"title", problem.title},
+            {"exact", problem.exact},       {"rows", rows},
+            {"figures", figures},           {"notes", problem.notes},
             {"unstable", problem.unstable}, {"wall_s", number(problem.wall_s)}};
 }
 
@@ -102,8 +103,13 @@ VerificationProblem read_problem(const json& entry) {
     problem.wall_s = entry.at("wall_s");
     for (const json& row : entry.at("rows")) problem.rows.push_back(read_row(row));
     for (const json& f : entry.at("figures")) {
-        VerificationFigure figure{f.at("title"),  f.at("x_label"),          f.at("x_unit"), f.at("y_label"),
-                                  f.at("y_unit"), read_curve(f.at("exact")), {}};
+        VerificationFigure figure{f.at("title"),
+                                  f.at("x_label"),
+                                  f.at("x_unit"),
+                                  f.at("y_label"),
+                                  f.at("y_unit"),
+                                  read_curve(f.at("exact")),
+                                  {}};
         for (const json& c : f.at("computed"))
             figure.computed.emplace_back(c.at("label"), read_curve(c.at("curve")));
         problem.figures.push_back(std::move(figure));

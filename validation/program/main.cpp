@@ -216,8 +216,10 @@ int dispatch(int argc, char** argv) {
             ->check(CLI::Range(0.0, 1e9))
             ->capture_default_str();
 
-    CLI::App* verify = app.add_subcommand("verify", "problems with exact solutions: error and observed order");
-    verify->add_option("--only", options.verify.problems, "problems to run, separated by commas")->delimiter(',');
+    CLI::App* verify =
+        app.add_subcommand("verify", "problems with exact solutions: error and observed order");
+    verify->add_option("--only", options.verify.problems, "problems to run, separated by commas")
+        ->delimiter(',');
     verify->add_option("--out", options.out, "directory of the results (results/verification)");
     verify->add_flag("--fast", options.verify.fast, "coarse resolutions of the quick problems only");
 

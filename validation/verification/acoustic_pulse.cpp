@@ -13,10 +13,11 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double amplitude = 1e-4;    // of rho c^2: squares do not matter
+constexpr double amplitude = 1e-4;       // of rho c^2: squares do not matter
 constexpr double channel_height = 0.12;  // [m]
-constexpr double pulse_share = 0.1;    // half width of the pulse over the length of its layer
-constexpr double start_share = 0.5, end_share = 0.85;  // layers' lengths travelled: both waves are then clear of the interface
+constexpr double pulse_share = 0.1;      // half width of the pulse over the length of its layer
+constexpr double start_share = 0.5,
+                 end_share = 0.85;  // layers' lengths travelled: both waves are then clear of the interface
 
 struct Case {
     std::string name, words;
@@ -25,17 +26,20 @@ struct Case {
 };
 
 const std::vector<Case>& cases() {
-    static const std::vector<Case> list = {{"water_to_air", "water to air, impedances 333 to 1", 1, 90, true},
-                                           {"air_to_water", "air to water, impedances 1 to 333", 1, 90, false},
-                                           {"heavy_to_light", "impedances 3 to 1", 250, 40, true},
-                                           {"light_to_heavy", "impedances 1 to 3", 250, 40, false}};
+    static const std::vector<Case> list = {
+        {"water_to_air", "water to air, impedances 333 to 1", 1, 90, true},
+        {"air_to_water", "air to water, impedances 1 to 333", 1, 90, false},
+        {"heavy_to_light", "impedances 3 to 1", 250, 40, true},
+        {"light_to_heavy", "impedances 1 to 3", 250, 40, false}};
     return list;
 }
 
-/// A channel with water in the left layer and the light fluid in the right, each as long as sound goes in one time.
+/// A channel with water in the left layer and the light fluid in the right, each as long as sound goes in one
+/// time.
 class Channel {
   public:
-    Channel(const Case& c, double spacing) : model_(two_phase_model(30, c.light_sound_speed, 0)), dx_(spacing) {
+    Channel(const Case& c, double spacing)
+        : model_(two_phase_model(30, c.light_sound_speed, 0)), dx_(spacing) {
         model_.air.eos.reference_density = c.light_density;
         heavy_length_ = 1;
         // a whole number of spacings
@@ -79,23 +83,31 @@ class Channel {
 /// 1/2 INT |dW/dr| x^2 dA, because only density, one of the wave's two parts, diffuses.
 double wave_diffusivity(double smoothing_ratio) {
     const WendlandC2 kernel{smoothing_ratio};
-    const double moment = integral(
-        [&](double r) { return pi * r * r * r * r * kernel.slope_over_distance(r); }, 0, kernel.support_radius());
+    const double moment =
+        integral([&](double r) { return pi * r * r * r * r * kernel.slope_over_distance(r); }, 0,
+                 kernel.support_radius());
     return 0.25 * moment;
 }
 
 void run(Findings& findings) {
     for (const Case& c : cases()) {
-        VerificationFigure figure{"Sound pulse, " + c.words, "distance from the interface, into the second layer", "m",
-                                  "pressure over the incident amplitude", "-", {}, {}};
+        VerificationFigure figure{"Sound pulse, " + c.words,
+                                  "distance from the interface, into the second layer",
+                                  "m",
+                                  "pressure over the incident amplitude",
+                                  "-",
+                                  {},
+                                  {}};
         for (const double dx : findings.levels({1.0 / 100, 1.0 / 200, 1.0 / 400})) {
             Channel channel(c, dx);
             Simulation simulation = channel.simulate();
             advance(simulation, end_share * channel.duration());
 
             const TaitEquationOfState &in = channel.incident(), &out = channel.other();
-            const double z_in = in.reference_density * in.sound_speed, z_out = out.reference_density * out.sound_speed;
-            const double reflection = (z_out - z_in) / (z_out + z_in), transmission = 2 * z_out / (z_out + z_in);
+            const double z_in = in.reference_density * in.sound_speed,
+                         z_out = out.reference_density * out.sound_speed;
+            const double reflection = (z_out - z_in) / (z_out + z_in),
+                         transmission = 2 * z_out / (z_out + z_in);
             const double travelled = (end_share - start_share) * channel.duration();
             // areas under the pulses: spreading leaves them alone
             double reflected = 0, transmitted = 0, moment = 0, peak = 0;
@@ -117,7 +129,8 @@ void run(Findings& findings) {
             findings.record("transmission_" + c.name, resolution,
                             std::abs(transmitted / area / stretch / transmission - 1));
             findings.record("reflection_" + c.name, resolution, std::abs(reflected / area / reflection - 1));
-            const double arrival = (travelled - moment / transmitted / out.sound_speed) / (end_share * channel.duration());
+            const double arrival =
+                (travelled - moment / transmitted / out.sound_speed) / (end_share * channel.duration());
             findings.record("arrival_" + c.name, resolution, std::abs(arrival));
             findings.record("peak_" + c.name, resolution,
                             std::abs(peak / (channel.scale() * std::abs(reflection)) - 1));
@@ -137,9 +150,12 @@ void run(Findings& findings) {
         }
         findings.figure(std::move(figure));
     }
-    findings.note("The pressure jump in the intermediate velocity diffuses sound: the peak of a pulse falls as that of heat "
-                  "with a diffusivity of " + std::to_string(wave_diffusivity(Model{}.smoothing_ratio)) +
-                  " c dx, to first order in dx. Areas and arrival are not touched by it.");
+    findings.note(
+        "The pressure jump in the intermediate velocity diffuses sound: the peak of a pulse falls as that of "
+        "heat "
+        "with a diffusivity of " +
+        std::to_string(wave_diffusivity(Model{}.smoothing_ratio)) +
+        " c dx, to first order in dx. Areas and arrival are not touched by it.");
 }
 
 }  // namespace
@@ -148,32 +164,42 @@ Problem acoustic_pulse() {
     Problem problem;
     problem.name = "acoustic_pulse";
     problem.title = "Sound pulse through an interface";
-    problem.exact = "Acoustics: R = (Z2 - Z1)/(Z2 + Z1), T = 2 Z2/(Z2 + Z1), each wave at its own speed of sound.";
+    problem.exact =
+        "Acoustics: R = (Z2 - Z1)/(Z2 + Z1), T = 2 Z2/(Z2 + Z1), each wave at its own speed of sound.";
     const std::string resolution = "dx / half width of the incident pulse";
     constexpr double coarsest_spacing = 0.01;
-    // along a free-slip wall a strip of one smoothing length loses up to half the divergence: 2 h / height / 2, half
-    // of which is lost by the sound speed
+    // along a free-slip wall a strip of one smoothing length loses up to half the divergence: 2 h / height /
+    // 2, half of which is lost by the sound speed
     const double wall_share = 0.5 * Model{}.smoothing_ratio * coarsest_spacing / channel_height;
     // the peak of a Gaussian that diffuses: 1 - 1/sqrt(1 + 4 D t / width^2)
-    const double spread = 4 * wave_diffusivity(Model{}.smoothing_ratio) * coarsest_spacing * end_share / (pulse_share * pulse_share);
+    const double spread = 4 * wave_diffusivity(Model{}.smoothing_ratio) * coarsest_spacing * end_share /
+                          (pulse_share * pulse_share);
     for (const Case& c : cases()) {
         const double heavy = 1000 * 30, light = c.light_density * c.light_sound_speed;
         const double r = (heavy - light) / (heavy + light);
-        const std::string why = "walls take up to half the divergence in a strip of one smoothing length: 6 % of the sound "
-                                "speed at 12 spacings across, first order";
-        problem.claims.push_back({"transmission_" + c.name, "relative error of the transmitted area, " + c.words, resolution,
+        const std::string why =
+            "walls take up to half the divergence in a strip of one smoothing length: 6 % of the sound "
+            "speed at 12 spacings across, first order";
+        problem.claims.push_back({"transmission_" + c.name,
+                                  "relative error of the transmitted area, " + c.words, resolution,
                                   wall_share, Window{0.6, 1.6}, why});
-        problem.claims.push_back({"arrival_" + c.name, "relative error of the transmitted pulse's time of arrival, " + c.words,
+        problem.claims.push_back({"arrival_" + c.name,
+                                  "relative error of the transmitted pulse's time of arrival, " + c.words,
                                   resolution, wall_share, Window{0.6, 1.6}, why});
-        problem.claims.push_back({"reflection_" + c.name, "relative error of the reflected area, " + c.words, resolution,
-                                  0.5 * (1 - r * r) * wall_share / r + 0.002, {},
-                                  "the change of R with the impedances, themselves wrong by that of the sound speeds, and 0.2 % "
-                                  "for the tail of the pulse in the interface"});
+        problem.claims.push_back(
+            {"reflection_" + c.name,
+             "relative error of the reflected area, " + c.words,
+             resolution,
+             0.5 * (1 - r * r) * wall_share / r + 0.002,
+             {},
+             "the change of R with the impedances, themselves wrong by that of the sound speeds, and 0.2 % "
+             "for the tail of the pulse in the interface"});
         const double stretched = spread * (c.from_heavy ? 1 : 30 / c.light_sound_speed);
-        problem.claims.push_back({"peak_" + c.name, "relative error of the reflected peak, " + c.words, resolution,
-                                  1.2 * (1 - 1 / std::sqrt(1 + stretched)), Window{0.5, 1.2},
-                                  "diffusion of sound by the pressure jump in u*, in closed form, and 20 % for the interface: "
-                                  "first order, less while the spreading is large"});
+        problem.claims.push_back(
+            {"peak_" + c.name, "relative error of the reflected peak, " + c.words, resolution,
+             1.2 * (1 - 1 / std::sqrt(1 + stretched)), Window{0.5, 1.2},
+             "diffusion of sound by the pressure jump in u*, in closed form, and 20 % for the interface: "
+             "first order, less while the spreading is large"});
     }
     problem.run = run;
     return problem;

@@ -29,12 +29,14 @@ Contact exact_contact(const FluidSide& left, const FluidSide& right) {
         return speed_lost(left, pressure) + speed_lost(right, pressure) + right.velocity - left.velocity;
     };
     const double p_left = left.eos.pressure(left.density), p_right = right.eos.pressure(right.density);
-    const double impedance =
-        std::max(left.eos.reference_density * left.eos.sound_speed, right.eos.reference_density * right.eos.sound_speed);
-    const double reach = 2 * impedance * std::abs(left.velocity - right.velocity) + std::abs(p_left - p_right);
+    const double impedance = std::max(left.eos.reference_density * left.eos.sound_speed,
+                                      right.eos.reference_density * right.eos.sound_speed);
+    const double reach =
+        2 * impedance * std::abs(left.velocity - right.velocity) + std::abs(p_left - p_right);
     // no fluid can be thinner than nothing
     const double vacuum = -(1 - 1e-9) * std::min(left.eos.coefficient(), right.eos.coefficient());
-    const double low = std::max(vacuum, std::min(p_left, p_right) - reach), high = std::max(p_left, p_right) + reach;
+    const double low = std::max(vacuum, std::min(p_left, p_right) - reach),
+                 high = std::max(p_left, p_right) + reach;
     Contact contact;
     contact.pressure = root(excess, low, high);
     contact.velocity = left.velocity - speed_lost(left, contact.pressure);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The exact Riemann problem of two fluids with Tait equations of state: each side sends a shock (mass and momentum
-// conserved) or a rarefaction (Riemann invariant) away from the contact,
+// The exact Riemann problem of two fluids with Tait equations of state: each side sends a shock (mass and
+// momentum conserved) or a rarefaction (Riemann invariant) away from the contact,
 //     shock:        u_* - u = -+ sqrt( (p_* - p) (1/rho - 1/rho_*) )
 //     rarefaction:  u_* - u = -+ INT_rho^rho_* c / rho d(rho)
-// and the pressure p_* is where both sides have one velocity. Pressure is a function of density alone: there is no
-// energy equation.
+// and the pressure p_* is where both sides have one velocity. Pressure is a function of density alone: there
+// is no energy equation.
 #pragma once
 
 #include "solver/physics/equation_of_state.hpp"

@@ -10,9 +10,13 @@
 namespace wetdeck::verification {
 namespace {
 
-constexpr double gravity = 9.81, depth = 0.8, width = 2, beam = 0.8, side = 0.4;  // of water and tank; of the body [m]
-constexpr double draught = 0.5 * side;                                // the body is half as heavy as water
-const Outline pontoon = {{-0.5 * beam, -0.5 * side}, {0.5 * beam, -0.5 * side}, {0.5 * beam, 0.5 * side}, {-0.5 * beam, 0.5 * side}};
+constexpr double gravity = 9.81, depth = 0.8, width = 2, beam = 0.8,
+                 side = 0.4;            // of water and tank; of the body [m]
+constexpr double draught = 0.5 * side;  // the body is half as heavy as water
+const Outline pontoon = {{-0.5 * beam, -0.5 * side},
+                         {0.5 * beam, -0.5 * side},
+                         {0.5 * beam, 0.5 * side},
+                         {-0.5 * beam, 0.5 * side}};
 
 RigidBody half_as_heavy() {
     RigidBody body;
@@ -60,7 +64,13 @@ Simulation basin(double dx, bool held) {
 void at_rest(Findings& findings) {
     const double duration = 5 * std::sqrt(depth / gravity);
     const double buoyancy = water_density * gravity * beam * draught;
-    VerificationFigure figure{"Pontoon floating at half its height", "time over sqrt(H/g)", "-", "height over that of rest, over the draught", "-", {{0, 5}, {0, 0}}, {}};
+    VerificationFigure figure{"Pontoon floating at half its height",
+                              "time over sqrt(H/g)",
+                              "-",
+                              "height over that of rest, over the draught",
+                              "-",
+                              {{0, 5}, {0, 0}},
+                              {}};
     for (const double dx : findings.levels({0.04, 0.02, 0.01})) {
         Simulation held = basin(dx, true);
         Vec2 impulse = Vec2::Zero();
@@ -99,17 +109,41 @@ Problem floating_body() {
     Problem problem;
     problem.name = "floating_body";
     problem.title = "Free flight and floating of a body";
-    problem.exact = "Parabola and even rotation without fluid; Archimedes: a pontoon half as heavy as water floats at half its height, and held "
-                    "there feels its displaced weight.";
+    problem.exact =
+        "Parabola and even rotation without fluid; Archimedes: a pontoon half as heavy as water floats at "
+        "half its height, and held "
+        "there feels its displaced weight.";
     const std::string resolution = "dx / height of the body";
     problem.claims = {
-        {"free_fall", "distance from the parabola over the way, half a second", "none", 1e-11, {}, "the integrator is exact for even acceleration: rounding of some hundred steps"},
+        {"free_fall",
+         "distance from the parabola over the way, half a second",
+         "none",
+         1e-11,
+         {},
+         "the integrator is exact for even acceleration: rounding of some hundred steps"},
         {"free_rotation", "relative error of the angle of free rotation", "none", 1e-11, {}, "rounding"},
         {"buoyancy", "relative error of the mean force on the held body", resolution, 0.15, Window{0.5, 2.5},
-         "half a spacing of displaced water all round: 0.04 m / 2 of the draught of 0.2 m, 10 %, and twice as much of the beam of 0.8 m, 5 %; first order"},
-        {"side_force", "mean sideways force over the buoyancy", resolution, 0.02, {}, "the set-up is symmetric but for the order of sums; what the waves of disorder leave"},
-        {"draught", "error of the mean height afloat over dx", resolution, 0.75, {}, "three quarters of a spacing: half of one at the bottom, and the sides"},
-        {"upright", "angle afloat at the end [rad]", resolution, 0.02, {}, "metacentric height beam^2 / (12 draught) - side / 4 = 0.17 m: it rights itself; a spacing of 0.04 m over the beam would be 0.05"},
+         "half a spacing of displaced water all round: 0.04 m / 2 of the draught of 0.2 m, 10 %, and twice "
+         "as much of the beam of 0.8 m, 5 %; first order"},
+        {"side_force",
+         "mean sideways force over the buoyancy",
+         resolution,
+         0.02,
+         {},
+         "the set-up is symmetric but for the order of sums; what the waves of disorder leave"},
+        {"draught",
+         "error of the mean height afloat over dx",
+         resolution,
+         0.75,
+         {},
+         "three quarters of a spacing: half of one at the bottom, and the sides"},
+        {"upright",
+         "angle afloat at the end [rad]",
+         resolution,
+         0.02,
+         {},
+         "metacentric height beam^2 / (12 draught) - side / 4 = 0.17 m: it rights itself; a spacing of 0.04 "
+         "m over the beam would be 0.05"},
     };
     problem.run = run;
     return problem;

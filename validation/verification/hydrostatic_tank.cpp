@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Water under air at rest for a long time: pressure on both sides, currents that should not be, the interface.
+// Water under air at rest for a long time: pressure on both sides, currents that should not be, the
+// interface.
 #include <cmath>
 
 #include "solver/probes/front.hpp"
@@ -24,8 +25,8 @@ Simulation tank(double spacing) {
     const double wave_speed = std::sqrt(gravity * depth);
     // sound speeds and background pressure of the dam break scene
     const double weight = water_density * gravity * depth;
-    Setup setup(two_phase_model(10 * wave_speed, 56 * wave_speed, 0.05 * weight, gravity), {{0, 0}, {depth, 2 * depth}},
-                spacing, true);
+    Setup setup(two_phase_model(10 * wave_speed, 56 * wave_speed, 0.05 * weight, gravity),
+                {{0, 0}, {depth, 2 * depth}}, spacing, true);
     setup.fill(Phase::water, {{0, 0}, {depth, depth}});
     setup.fill(Phase::air, {{0, depth}, {depth, 2 * depth}});
     set_initial_pressure(setup.fluid, setup.model, [](Phase, Vec2 at) { return exact_pressure(at.y()); });
@@ -42,7 +43,8 @@ struct Means {
         const auto is_air = [&](std::size_t i) { return i >= f.water; };
         const auto speed = [&](std::size_t i) { return f.state[i].velocity().norm(); };
         const auto pressure = [&](std::size_t i) {
-            return f.state[i].pressure - s.model().water.eos.background_pressure - exact_pressure(f.state[i].y);
+            return f.state[i].pressure - s.model().water.eos.background_pressure -
+                   exact_pressure(f.state[i].y);
         };
         water_speed += rms(f, is_water, speed);
         air_speed += rms(f, is_air, speed);
@@ -62,14 +64,21 @@ struct Means {
 void run(Findings& findings) {
     const double wave_speed = std::sqrt(gravity * depth), weight = water_density * gravity * depth;
     const double unit = std::sqrt(depth / gravity);
-    VerificationFigure profile{"Pressure after ten times sqrt(H/g)", "pressure over rho g H", "-", "height over H", "-", {}, {}};
+    VerificationFigure profile{
+        "Pressure after ten times sqrt(H/g)", "pressure over rho g H", "-", "height over H", "-", {}, {}};
     for (const double y : linspace(0, 2 * depth, 101)) {
         profile.exact.x.push_back(exact_pressure(y) / weight);
         profile.exact.y.push_back(y / depth);
     }
     std::reverse(profile.exact.x.begin(), profile.exact.x.end());
     std::reverse(profile.exact.y.begin(), profile.exact.y.end());
-    VerificationFigure currents{"Spurious currents in the water", "time over sqrt(H/g)", "-", "rms speed over sqrt(g H)", "-", {}, {}};
+    VerificationFigure currents{"Spurious currents in the water",
+                                "time over sqrt(H/g)",
+                                "-",
+                                "rms speed over sqrt(g H)",
+                                "-",
+                                {},
+                                {}};
     for (const double dx : findings.levels({0.1, 0.05, 0.025})) {
         Simulation simulation = tank(dx);
         Means means;
@@ -78,8 +87,10 @@ void run(Findings& findings) {
             if (s.steps() % 20 != 0) return;
             const FluidParticles& f = s.fluid();
             speed.x.push_back(s.time() / unit);
-            speed.y.push_back(rms(f, [&](std::size_t i) { return i < f.water; },
-                                  [&](std::size_t i) { return f.state[i].velocity().norm(); }) / wave_speed);
+            speed.y.push_back(rms(
+                                  f, [&](std::size_t i) { return i < f.water; },
+                                  [&](std::size_t i) { return f.state[i].velocity().norm(); }) /
+                              wave_speed);
             if (s.time() > mean_from * unit) means.sample(s);
         });
         findings.record("currents_water", dx / depth, means.water_speed / means.samples / wave_speed);
@@ -112,24 +123,42 @@ Problem hydrostatic_tank() {
     Problem problem;
     problem.name = "hydrostatic_tank";
     problem.title = "Water under air at rest";
-    problem.exact = "p = rho g (surface - y) in each fluid, nothing moves. Over the last fifth of ten times sqrt(H/g), "
-                    "about a hundred passages of sound.";
+    problem.exact =
+        "p = rho g (surface - y) in each fluid, nothing moves. Over the last fifth of ten times sqrt(H/g), "
+        "about a hundred passages of sound.";
     const std::string resolution = "dx / depth H";
     const std::string no_decay =
-        "The currents do not fall with the spacing. The lattice, on which nothing moves, gives way after a time that is "
-        "shorter the finer it is (4 sqrt(H/g) at 20 spacings, 2.5 at 40; never at 10), and the particles rearrange with an rms speed of "
+        "The currents do not fall with the spacing. The lattice, on which nothing moves, gives way after a "
+        "time that is "
+        "shorter the finer it is (4 sqrt(H/g) at 20 spacings, 2.5 at 40; never at 10), and the particles "
+        "rearrange with an rms speed of "
         "0.0045 sqrt(g H) at either spacing, which then decays slowly.";
     problem.claims = {
-        {"currents_water", "rms speed of the water over sqrt(g H)", resolution, 0.1 * std::sqrt(0.1), Window{0.5, 3},
-         "below a tenth of sqrt(g dx), what a particle gains by falling one spacing: order 1/2 at least", no_decay},
+        {"currents_water", "rms speed of the water over sqrt(g H)", resolution, 0.1 * std::sqrt(0.1),
+         Window{0.5, 3},
+         "below a tenth of sqrt(g dx), what a particle gains by falling one spacing: order 1/2 at least",
+         no_decay},
         {"currents_air", "rms speed of the air over sqrt(g H)", resolution, std::sqrt(0.1), Window{0.5, 3},
-         "at most sqrt(g dx): the air, a thousandth as heavy, follows every motion of the interface; order 1/2 at least", no_decay},
-        {"pressure_water", "rms error of the pressure in the water over rho g H", resolution, 0.01, {},
-         "the lattice's moment of the gradient (0.26 %, no refinement at fixed h/dx changes it) and the weight of what the "
+         "at most sqrt(g dx): the air, a thousandth as heavy, follows every motion of the interface; order "
+         "1/2 at least",
+         no_decay},
+        {"pressure_water",
+         "rms error of the pressure in the water over rho g H",
+         resolution,
+         0.01,
+         {},
+         "the lattice's moment of the gradient (0.26 %, no refinement at fixed h/dx changes it) and the "
+         "weight of what the "
          "lattice settles by, less than a tenth of a spacing; no order expected"},
-        {"pressure_air", "rms error of the pressure in the air over rho g H", resolution, 0.05, Window{0.5, 2.5},
+        {"pressure_air", "rms error of the pressure in the air over rho g H", resolution, 0.05,
+         Window{0.5, 2.5},
          "the weight of half a spacing of water, which rests on the air's outermost particles; first order"},
-        {"interface", "rms error of the depth at ten stations over dx", resolution, 0.5, {}, "half a spacing"},
+        {"interface",
+         "rms error of the depth at ten stations over dx",
+         resolution,
+         0.5,
+         {},
+         "half a spacing"},
     };
     problem.run = run;
     return problem;

@@ -37,8 +37,8 @@ double integral(const Function& f, double from, double to) {
         gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
     gsl_function wrapped{call, const_cast<Function*>(&f)};
     double value = 0, error = 0;
-    gsl_integration_qag(&wrapped, from, to, 1e-300, 1e-11, intervals, GSL_INTEG_GAUSS31, workspace.get(), &value,
-                        &error);
+    gsl_integration_qag(&wrapped, from, to, 1e-300, 1e-11, intervals, GSL_INTEG_GAUSS31, workspace.get(),
+                        &value, &error);
     if (!(error <= 1e-8 * std::abs(value))) throw std::logic_error("integral: not to be had to eight digits");
     return value;
 }
@@ -53,8 +53,8 @@ double root(const Function& f, double low, double high) {
     constexpr int most_iterations = 300;
     for (int i = 0; i < most_iterations; ++i) {
         if (gsl_root_fsolver_iterate(solver.get()) != GSL_SUCCESS) break;
-        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver.get()), gsl_root_fsolver_x_upper(solver.get()),
-                                   0, 1e-14) == GSL_SUCCESS)
+        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver.get()),
+                                   gsl_root_fsolver_x_upper(solver.get()), 0, 1e-14) == GSL_SUCCESS)
             break;
     }
     return gsl_root_fsolver_root(solver.get());
@@ -68,14 +68,13 @@ std::vector<std::vector<double>> ode(
         const std::function<std::vector<double>(double, const std::vector<double>&)>& rates;
         std::size_t size;
     } system{rates, start.size()};
-    gsl_odeiv2_system wrapped{
-        [](double t, const double* y, double* out, void* parameters) {
-            const auto& s = *static_cast<System*>(parameters);
-            const std::vector<double> result = s.rates(t, {y, y + s.size});
-            std::copy(result.begin(), result.end(), out);
-            return static_cast<int>(GSL_SUCCESS);
-        },
-        nullptr, start.size(), &system};
+    gsl_odeiv2_system wrapped{[](double t, const double* y, double* out, void* parameters) {
+                                  const auto& s = *static_cast<System*>(parameters);
+                                  const std::vector<double> result = s.rates(t, {y, y + s.size});
+                                  std::copy(result.begin(), result.end(), out);
+                                  return static_cast<int>(GSL_SUCCESS);
+                              },
+                              nullptr, start.size(), &system};
     const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
         gsl_odeiv2_driver_alloc_y_new(&wrapped, gsl_odeiv2_step_rk8pd, 1e-6 * times.back(), 1e-13, 1e-11),
         gsl_odeiv2_driver_free);

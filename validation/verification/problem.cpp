@@ -56,7 +56,8 @@ VerificationProblem solve(const Problem& problem, Effort effort) {
 
 void advance(Simulation& simulation, double end, const std::function<void(const Simulation&)>& observe) {
     while (simulation.time() < end) {
-        if (const auto trouble = simulation.step(end - simulation.time())) throw Unstable(trouble->describe());
+        if (const auto trouble = simulation.step(end - simulation.time()))
+            throw Unstable(trouble->describe());
         if (observe) observe(simulation);
     }
 }

@@ -14,6 +14,7 @@ Problem acoustic_pulse();
 Problem hydrostatic_tank();
 Problem gravity_wave();
 Problem taylor_green();
+Problem oscillating_drop();
 Problem square_patch();
 Problem block_impact();
 Problem trapped_air_piston();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pressure in a column of water just after its gate is gone: Laplace's equation, Greco's series, and the solver.
+// Pressure in a column of water just after its gate is gone: Laplace's equation, Greco's series, and the
+// solver.
 #include <cmath>
 
 #include "solver/setup/initial_pressure.hpp"
@@ -12,8 +13,8 @@ namespace {
 
 constexpr double height = 1, length = 2, gravity = 9.81, weight = water_density * gravity * height;
 constexpr double mach_inverse = 80;  // sound speed over sqrt(g H)
-// in sqrt(height / gravity): two periods of the slowest sound, 4 H / c sqrt(1 + (H / 2 L)^2 ...) = 3.6 H / c; the face has
-// moved by 0.01 H
+// in sqrt(height / gravity): two periods of the slowest sound, 4 H / c sqrt(1 + (H / 2 L)^2 ...) = 3.6 H / c;
+// the face has moved by 0.01 H
 constexpr double mean_from = 0.04, mean_to = mean_from + 2 * 3.58 / mach_inverse;
 
 PoissonSolution laplace(double column, int cells) {
@@ -36,8 +37,8 @@ void series(Findings& findings) {
         for (int i = 1; i <= 16; ++i) {
             for (int j = 0; j < 8; ++j) {
                 const Vec2 at(long_column - i * height / 8, j * height / 8);
-                const double difference =
-                    solution.at(at) - greco_pressure(water_density, gravity, height, long_column - at.x(), at.y());
+                const double difference = solution.at(at) - greco_pressure(water_density, gravity, height,
+                                                                           long_column - at.x(), at.y());
                 squares += difference * difference;
                 ++count;
             }
@@ -49,7 +50,13 @@ void series(Findings& findings) {
 void solver(Findings& findings) {
     const PoissonSolution exact = laplace(length, 100);
     const double wave_speed = std::sqrt(gravity * height), unit = std::sqrt(height / gravity);
-    VerificationFigure figure{"Pressure on the bed just after release", "distance from the back wall over H", "-", "pressure over rho g H", "-", {}, {}};
+    VerificationFigure figure{"Pressure on the bed just after release",
+                              "distance from the back wall over H",
+                              "-",
+                              "pressure over rho g H",
+                              "-",
+                              {},
+                              {}};
     for (double x = 0; x <= length; x += 0.02) {
         figure.exact.x.push_back(x / height);
         figure.exact.y.push_back(exact.at({x, 0}) / weight);
@@ -72,7 +79,8 @@ void solver(Findings& findings) {
             advance(simulation, mean_to * unit, [&](const Simulation& s) {
                 if (s.time() < mean_from * unit) return;
                 samples += 1;
-                for (std::size_t i = 0; i < s.fluid().size(); ++i) sum[s.fluid().id[i]] += s.fluid().state[i].pressure;
+                for (std::size_t i = 0; i < s.fluid().size(); ++i)
+                    sum[s.fluid().id[i]] += s.fluid().state[i].pressure;
             });
             double squares = 0;
             Curve bed;
@@ -86,8 +94,10 @@ void solver(Findings& findings) {
             }
             const double error = std::sqrt(squares / static_cast<double>(sum.size())) / weight;
             findings.record(from_hydrostatic ? "from_hydrostatic" : "from_greco", dx / height, error);
-            figure.computed.emplace_back((from_hydrostatic ? "from hydrostatic, dx/H = " : "from Greco, dx/H = ") + std::to_string(dx).substr(0, 6),
-                                         std::move(bed));
+            figure.computed.emplace_back(
+                (from_hydrostatic ? "from hydrostatic, dx/H = " : "from Greco, dx/H = ") +
+                    std::to_string(dx).substr(0, 6),
+                std::move(bed));
         }
     }
     findings.figure(std::move(figure));
@@ -104,16 +114,28 @@ Problem released_column() {
     Problem problem;
     problem.name = "released_column";
     problem.title = "Pressure just after the release of a column";
-    problem.exact = "Laplace's equation with p = 0 on surface and face, dp/dy = -rho g on the bed, dp/dx = 0 at the back wall, by "
-                    "finite differences and a sparse factorisation.";
+    problem.exact =
+        "Laplace's equation with p = 0 on surface and face, dp/dy = -rho g on the bed, dp/dx = 0 at the back "
+        "wall, by "
+        "finite differences and a sparse factorisation.";
     problem.claims = {
-        {"greco_series", "rms difference of Greco's series (27) from Laplace's equation over rho g H", "cell / height", 0.01,
-         Window{1.7, 2.3}, "the finite differences are of second order; at 8 cells (pi/16)^2 / 12 of the slowest term is 0.3 %"},
-        {"from_greco", "rms difference of the solver's mean pressure from Laplace's over rho g H, started from the series", "dx / height", 0.025,
-         Window{0.3, 2.2}, "pressure misplaced by half a spacing at the free faces, 2.5 % of rho g H at 20 spacings; first order"},
-        {"from_hydrostatic", "the same, started from hydrostatic pressure: sound has to carry the release through the column", "dx / height", 0.05,
-         {}, "sound of the release, as strong as rho g H at the foot of the face, is averaged over two periods of its slowest mode; "
-             "what is left of faster ones is at most a twentieth; no order expected"},
+        {"greco_series", "rms difference of Greco's series (27) from Laplace's equation over rho g H",
+         "cell / height", 0.01, Window{1.7, 2.3},
+         "the finite differences are of second order; at 8 cells (pi/16)^2 / 12 of the slowest term is 0.3 "
+         "%"},
+        {"from_greco",
+         "rms difference of the solver's mean pressure from Laplace's over rho g H, started from the series",
+         "dx / height", 0.025, Window{0.3, 2.2},
+         "pressure misplaced by half a spacing at the free faces, 2.5 % of rho g H at 20 spacings; first "
+         "order"},
+        {"from_hydrostatic",
+         "the same, started from hydrostatic pressure: sound has to carry the release through the column",
+         "dx / height",
+         0.05,
+         {},
+         "sound of the release, as strong as rho g H at the foot of the face, is averaged over two periods "
+         "of its slowest mode; "
+         "what is left of faster ones is at most a twentieth; no order expected"},
     };
     problem.run = run;
     return problem;

@@ -35,9 +35,11 @@ Contact solver_contact(const Model& model, const State& left, const State& right
     const PairCoefficients c = pair_coefficients(model, left.phase, right.phase, 1);
     const double jump = left.velocity - right.velocity;
     Contact contact;
-    contact.velocity = left.velocity - velocity_deficit(jump, left.pressure - right.pressure, c.weight_right, c.mobility);
-    contact.pressure = weighted_pressure(left.pressure, right.pressure, c.pressure_weight_left, c.pressure_weight_right) +
-                       riemann_dissipation(jump, c.limiter);
+    contact.velocity =
+        left.velocity - velocity_deficit(jump, left.pressure - right.pressure, c.weight_right, c.mobility);
+    contact.pressure =
+        weighted_pressure(left.pressure, right.pressure, c.pressure_weight_left, c.pressure_weight_right) +
+        riemann_dissipation(jump, c.limiter);
     return contact;
 }
 
@@ -51,12 +53,18 @@ void against_exact(Findings& findings) {
                           {"air_air", Phase::air, Phase::air},
                           {"water_air", Phase::water, Phase::air}};
     for (const Pair& pair : pairs) {
-        VerificationFigure figure{std::string("Contact pressure, ") + pair.name, "amplitude du / c", "-",
-                                  "P* over Z du", "-", {}, {}};
+        VerificationFigure figure{std::string("Contact pressure, ") + pair.name,
+                                  "amplitude du / c",
+                                  "-",
+                                  "P* over Z du",
+                                  "-",
+                                  {},
+                                  {}};
         Curve computed;
         const TaitEquationOfState &a = eos_of(model, pair.left), &b = eos_of(model, pair.right);
         const double softest = std::min(a.coefficient() * a.exponent, b.coefficient() * b.exponent);
-        const double slowest = std::min(a.sound_speed * a.reference_density, b.sound_speed * b.reference_density);
+        const double slowest =
+            std::min(a.sound_speed * a.reference_density, b.sound_speed * b.reference_density);
         for (const double amplitude : {0.04, 0.02, 0.01, 0.005}) {
             // both sides move and are compressed, by an amplitude of the softer one
             const double du = amplitude * softest / slowest;
@@ -93,8 +101,10 @@ void symmetries(Findings& findings) {
             const State r{any_phase(), dice.symmetric(3), dice.symmetric(1e4)};
             const Contact c = solver_contact(model, l, r);
             // in units of what the states can make of each other
-            const double u_scale = 3 + 1e4 / model.air.impedance(), p_scale = 1e4 + 3 * model.water.impedance();
-            const Contact m = solver_contact(model, {r.phase, -r.velocity, r.pressure}, {l.phase, -l.velocity, l.pressure});
+            const double u_scale = 3 + 1e4 / model.air.impedance(),
+                         p_scale = 1e4 + 3 * model.water.impedance();
+            const Contact m =
+                solver_contact(model, {r.phase, -r.velocity, r.pressure}, {l.phase, -l.velocity, l.pressure});
             mirror = std::max({mirror, std::abs(m.velocity + c.velocity) / u_scale,
                                std::abs(m.pressure - c.pressure) / p_scale});
             const double boost = dice.symmetric(100);
@@ -106,11 +116,14 @@ void symmetries(Findings& findings) {
     }
     findings.record("mirror_invariance", 1, mirror);
     findings.record("galilean_invariance", 1, galilean);
-    const double moved = guarded_harmonic_mean(1.0 + 100, -0.5 + 100, 1e-12) - 100 - guarded_harmonic_mean(1.0, -0.5, 1e-12);
+    const double moved =
+        guarded_harmonic_mean(1.0 + 100, -0.5 + 100, 1e-12) - 100 - guarded_harmonic_mean(1.0, -0.5, 1e-12);
     char text[300];
     std::snprintf(text, sizeof text,
-                  "The harmonic mean of signed velocities, as the paper prints it, is not Galilean invariant: for 1 and "
-                  "-0.5 m/s it gives %.3g m/s, seen from a frame that moves by 100 m/s %.3g m/s. It is left to the `paper` variant.",
+                  "The harmonic mean of signed velocities, as the paper prints it, is not Galilean "
+                  "invariant: for 1 and "
+                  "-0.5 m/s it gives %.3g m/s, seen from a frame that moves by 100 m/s %.3g m/s. It is left "
+                  "to the `paper` variant.",
                   guarded_harmonic_mean(1.0, -0.5, 1e-12), guarded_harmonic_mean(1.0, -0.5, 1e-12) + moved);
     findings.note(text);
 }
@@ -146,7 +159,8 @@ void pair_symmetry(Findings& findings) {
     findings.record("action_and_reaction", 1, sum.norm() / sizes);
 }
 
-/// Every mean where its weights or values vanish: values must be finite, and the guarded mean zero on its pole.
+/// Every mean where its weights or values vanish: values must be finite, and the guarded mean zero on its
+/// pole.
 void singular_points(Findings& findings) {
     double worst = 0;
     const auto expect = [&](double value, double expected) {
@@ -184,26 +198,52 @@ Problem riemann_problem() {
     Problem problem;
     problem.name = "riemann";
     problem.title = "Riemann problem of two materials";
-    problem.exact = "Shock and rarefaction curves of two Tait fluids; the contact pressure by root finding, the rarefaction "
-                    "by quadrature.";
+    problem.exact =
+        "Shock and rarefaction curves of two Tait fluids; the contact pressure by root finding, the "
+        "rarefaction "
+        "by quadrature.";
     const std::string amplitude = "pressure jump over rho c^2 of the softer side";
     const std::string why =
-        "acoustic states are exact to first order in the amplitude; the second-order term has a factor of (gamma + 1)/4 "
+        "acoustic states are exact to first order in the amplitude; the second-order term has a factor of "
+        "(gamma + 1)/4 "
         "per side, 2 for water. Relative to the jump the error falls with the first power";
     problem.claims = {
-        {"water_water_pressure", "difference from the exact contact pressure over the jump", amplitude, 0.08, Window{0.8, 1.2}, why},
-        {"water_water_velocity", "difference from the exact contact velocity over the jump", amplitude, 0.08, Window{0.8, 1.2}, why},
-        {"air_air_pressure", "difference from the exact contact pressure over the jump", amplitude, 0.08, Window{0.8, 1.2}, why},
-        {"air_air_velocity", "difference from the exact contact velocity over the jump", amplitude, 0.08, Window{0.8, 1.2}, why},
-        {"water_air_pressure", "difference from the exact contact pressure over the jump", amplitude, 0.08, Window{0.8, 1.2}, why},
-        {"water_air_velocity", "difference from the exact contact velocity over the jump", amplitude, 0.08, Window{0.8, 1.2}, why},
-        {"mirror_invariance", "largest breach under exchange and mirroring, linear means", "none", 1e-13, {}, "rounding"},
-        {"galilean_invariance", "largest breach under a boost of up to 100 m/s, linear means", "none", 1e-12, {},
+        {"water_water_pressure", "difference from the exact contact pressure over the jump", amplitude, 0.08,
+         Window{0.8, 1.2}, why},
+        {"water_water_velocity", "difference from the exact contact velocity over the jump", amplitude, 0.08,
+         Window{0.8, 1.2}, why},
+        {"air_air_pressure", "difference from the exact contact pressure over the jump", amplitude, 0.08,
+         Window{0.8, 1.2}, why},
+        {"air_air_velocity", "difference from the exact contact velocity over the jump", amplitude, 0.08,
+         Window{0.8, 1.2}, why},
+        {"water_air_pressure", "difference from the exact contact pressure over the jump", amplitude, 0.08,
+         Window{0.8, 1.2}, why},
+        {"water_air_velocity", "difference from the exact contact velocity over the jump", amplitude, 0.08,
+         Window{0.8, 1.2}, why},
+        {"mirror_invariance",
+         "largest breach under exchange and mirroring, linear means",
+         "none",
+         1e-13,
+         {},
+         "rounding"},
+        {"galilean_invariance",
+         "largest breach under a boost of up to 100 m/s, linear means",
+         "none",
+         1e-12,
+         {},
          "rounding of velocities of 100 m/s"},
-        {"action_and_reaction", "sum of all forces of a disordered blob of water and air on itself over the sum of their sizes",
-         "none", 1e-12, {}, "rounding of sums of thirty neighbours"},
-        {"singular_points", "largest difference from the defined value where a mean's denominator or a distance vanishes",
-         "none", 1e-12, {}, "the defined values are exact"},
+        {"action_and_reaction",
+         "sum of all forces of a disordered blob of water and air on itself over the sum of their sizes",
+         "none",
+         1e-12,
+         {},
+         "rounding of sums of thirty neighbours"},
+        {"singular_points",
+         "largest difference from the defined value where a mean's denominator or a distance vanishes",
+         "none",
+         1e-12,
+         {},
+         "the defined values are exact"},
     };
     problem.run = run;
     return problem;

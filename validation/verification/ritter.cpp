@@ -12,8 +12,9 @@ namespace {
 
 constexpr double depth = 1, gravity = 9.81;
 constexpr double reservoir = 5 * depth, bed = 9 * depth;
-constexpr double duration = 4;                            // in sqrt(depth / gravity)
-constexpr double window_begin = -0.8, window_end = 1.25;  // of x / (t sqrt(g H)), where vertical acceleration is small
+constexpr double duration = 4;  // in sqrt(depth / gravity)
+constexpr double window_begin = -0.8,
+                 window_end = 1.25;  // of x / (t sqrt(g H)), where vertical acceleration is small
 
 /// Depth over the initial one at s = x / (t sqrt(g H)), the dam at 0.
 double ritter_depth(double s) {
@@ -23,7 +24,8 @@ double ritter_depth(double s) {
 
 void run(Findings& findings) {
     const double wave_speed = std::sqrt(gravity * depth), time = duration * std::sqrt(depth / gravity);
-    VerificationFigure figure{"Depth at t sqrt(g/H) = 4", "x over t sqrt(g H), dam at 0", "-", "depth over H", "-", {}, {}};
+    VerificationFigure figure{
+        "Depth at t sqrt(g/H) = 4", "x over t sqrt(g H), dam at 0", "-", "depth over H", "-", {}, {}};
     for (double s = -1.25; s <= 2.2; s += 0.01) {
         figure.exact.x.push_back(s);
         figure.exact.y.push_back(ritter_depth(s));
@@ -51,14 +53,16 @@ void run(Findings& findings) {
             count += 1;
         }
         findings.record("profile", dx / depth, std::sqrt(squares / count));
-        findings.record("dam_depth", dx / depth, std::abs(water_depth(simulation, 0, 0.2 * depth) / depth / ritter_depth(0) - 1));
+        findings.record("dam_depth", dx / depth,
+                        std::abs(water_depth(simulation, 0, 0.2 * depth) / depth / ritter_depth(0) - 1));
         const double front_speed = (front_position(simulation) - front_before) / (0.25 * time);
         findings.record("front_speed", dx / depth, std::abs(front_speed / (2 * wave_speed) - 1));
         figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 5), std::move(profile));
     }
     findings.figure(std::move(figure));
-    findings.note("Ritter's solution has no vertical acceleration, the solver has: the difference that remains at fine "
-                  "spacings is the theory's, not the solver's, and no order is expected.");
+    findings.note(
+        "Ritter's solution has no vertical acceleration, the solver has: the difference that remains at fine "
+        "spacings is the theory's, not the solver's, and no order is expected.");
 }
 
 }  // namespace
@@ -67,15 +71,29 @@ Problem ritter() {
     Problem problem;
     problem.name = "ritter";
     problem.title = "Dam break on a long dry bed (Ritter)";
-    problem.exact = "Shallow water: h = (2 sqrt(g H) - x/t)^2 / (9 g) between the rarefaction's head and the front at 2 sqrt(g H) t.";
+    problem.exact =
+        "Shallow water: h = (2 sqrt(g H) - x/t)^2 / (9 g) between the rarefaction's head and the front at 2 "
+        "sqrt(g H) t.";
     const std::string resolution = "dx / initial depth";
-    const std::string why = "shallow-water theory drops terms of second order in depth over length, (H / 12 H)^2 over the whole wave and more "
-                            "near its head, where the bend of the surface is smoothed over about one depth of the twelve";
+    const std::string why =
+        "shallow-water theory drops terms of second order in depth over length, (H / 12 H)^2 over the whole "
+        "wave and more "
+        "near its head, where the bend of the surface is smoothed over about one depth of the twelve";
     problem.claims = {
-        {"profile", "rms error of the depth over H, where -0.8 < x / (t sqrt(g H)) < 1.25", resolution, 0.04, {}, why},
+        {"profile",
+         "rms error of the depth over H, where -0.8 < x / (t sqrt(g H)) < 1.25",
+         resolution,
+         0.04,
+         {},
+         why},
         {"dam_depth", "relative error of the depth at the dam, 4/9 H", resolution, 0.08, {}, why},
-        {"front_speed", "relative error of the front's speed over 3 < t sqrt(g/H) < 4, 2 sqrt(g H)", resolution, 0.1, {},
-         "the front starts from rest and comes near its speed from below: inviscid simulations and experiments have 1.88 sqrt(g H), "
+        {"front_speed",
+         "relative error of the front's speed over 3 < t sqrt(g/H) < 4, 2 sqrt(g H)",
+         resolution,
+         0.1,
+         {},
+         "the front starts from rest and comes near its speed from below: inviscid simulations and "
+         "experiments have 1.88 sqrt(g H), "
          "6 % less, at t sqrt(g/H) = 2"},
     };
     problem.run = run;

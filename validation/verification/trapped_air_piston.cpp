@@ -52,12 +52,13 @@ std::vector<double> exact_lengths(const Law& law, const std::vector<double>& tim
     return lengths;
 }
 
-/// When the slug turns round: its velocity vanishes. By energy, dt = dx / |v(x)|, with x = closest + s^2 to keep
-/// the integrand finite at the turning point.
+/// When the slug turns round: its velocity vanishes. By energy, dt = dx / |v(x)|, with x = closest + s^2 to
+/// keep the integrand finite at the turning point.
 double turning_time(const Law& law) {
     const double v0 = slug_speed(law);
     const auto speed = [&](double x) {
-        const double work = x == air_length ? 0 : integral([&](double y) { return air_pressure(law, y); }, x, air_length);
+        const double work =
+            x == air_length ? 0 : integral([&](double y) { return air_pressure(law, y); }, x, air_length);
         return std::sqrt(std::max(1e-300, v0 * v0 - 2 * work / (water_density * slug_length)));
     };
     return integral([&](double s) { return 2 * s / speed(law.closest + s * s); }, 1e-6,
@@ -83,8 +84,13 @@ Simulation tube(const Law& law, double dx, double courant_number) {
 
 void run_law(Findings& findings, const Law& law) {
     const double turn = turning_time(law), closest_pressure = air_pressure(law, law.closest);
-    VerificationFigure figure{"Air under a slug of water, " + law.words, "time over that of the turn", "-",
-                              "mean air pressure over the exact peak", "-", {}, {}};
+    VerificationFigure figure{"Air under a slug of water, " + law.words,
+                              "time over that of the turn",
+                              "-",
+                              "mean air pressure over the exact peak",
+                              "-",
+                              {},
+                              {}};
     for (const double dx : findings.levels({1.0 / 20, 1.0 / 40, 1.0 / 80})) {
         Simulation simulation = tube(law, dx, paper_courant_number);
         Curve pressure;
@@ -105,8 +111,10 @@ void run_law(Findings& findings, const Law& law) {
         double squares = 0;
         for (std::size_t k = 0; k < times.size(); ++k) squares += std::pow(lengths[k] - exact[k], 2);
         const auto peak = std::max_element(pressure.y.begin(), pressure.y.end()) - pressure.y.begin();
-        findings.record("peak_pressure_" + law.name, dx, std::abs(pressure.y[static_cast<std::size_t>(peak)] - 1));
-        findings.record("peak_time_" + law.name, dx, std::abs(pressure.x[static_cast<std::size_t>(peak)] - 1));
+        findings.record("peak_pressure_" + law.name, dx,
+                        std::abs(pressure.y[static_cast<std::size_t>(peak)] - 1));
+        findings.record("peak_time_" + law.name, dx,
+                        std::abs(pressure.x[static_cast<std::size_t>(peak)] - 1));
         findings.record("length_" + law.name, dx,
                         std::sqrt(squares / static_cast<double>(times.size())) / air_length);
         figure.exact = pressure;
@@ -127,7 +135,9 @@ void run(Findings& findings) {
         advance(simulation, 1.6 * turning_time(law));
     } catch (const Unstable& death) {
         reached = simulation.time() / (1.6 * turning_time(law));
-        findings.note(std::string("At the default Courant number of 0.5 the soft law, compressed to half, dies ") + death.what() + ".");
+        findings.note(
+            std::string("At the default Courant number of 0.5 the soft law, compressed to half, dies ") +
+            death.what() + ".");
     }
     findings.record("default_time_step", 0.05, 1 - reached);
 }
@@ -138,26 +148,45 @@ Problem trapped_air_piston() {
     Problem problem;
     problem.name = "trapped_air_piston";
     problem.title = "Trapped air before a slug of water (Bagnold)";
-    problem.exact = "rho l x'' = p(x), p by the air's law at the density rho0 a / x, integrated by an eighth-order Runge-Kutta method.";
+    problem.exact =
+        "rho l x'' = p(x), p by the air's law at the density rho0 a / x, integrated by an eighth-order "
+        "Runge-Kutta method.";
     for (const Law& law : laws()) {
         const std::string resolution = "dx / length of the air";
-        // half a spacing of the closest length: d(p)/p = gamma dx/2 / x, p + coefficient being the isentropic pressure
+        // half a spacing of the closest length: d(p)/p = gamma dx/2 / x, p + coefficient being the isentropic
+        // pressure
         const double stiffness = law.exponent * 0.5 * 0.05 / law.closest *
                                  (1 + air_of(law).coefficient() / air_pressure(law, law.closest));
-        problem.claims.push_back({"peak_pressure_" + law.name, "relative error of the largest mean pressure of the air, " + law.words,
+        problem.claims.push_back({"peak_pressure_" + law.name,
+                                  "relative error of the largest mean pressure of the air, " + law.words,
                                   resolution, stiffness, Window{0.5, 2.5},
                                   "the air's length misplaced by half a spacing when shortest; first order"});
-        problem.claims.push_back({"peak_time_" + law.name, "relative error of the time of the largest pressure, " + law.words,
-                                  resolution, 0.025 / (1 - law.closest), {},
-                                  "half a spacing over the way of the slug; at fine spacings the water's own compression "
-                                  "(rho_a c_a^2 l / (3 rho_w c_w^2 a), 0.5 %) is left, which the exact solution does not have"});
-        problem.claims.push_back({"length_" + law.name, "rms error of the air's length until 1.6 times the turn over its start, " + law.words,
-                                  resolution, 0.025, {}, "half a spacing; at fine spacings the water's own compression is left"});
+        problem.claims.push_back(
+            {"peak_time_" + law.name,
+             "relative error of the time of the largest pressure, " + law.words,
+             resolution,
+             0.025 / (1 - law.closest),
+             {},
+             "half a spacing over the way of the slug; at fine spacings the water's own compression "
+             "(rho_a c_a^2 l / (3 rho_w c_w^2 a), 0.5 %) is left, which the exact solution does not have"});
+        problem.claims.push_back(
+            {"length_" + law.name,
+             "rms error of the air's length until 1.6 times the turn over its start, " + law.words,
+             resolution,
+             0.025,
+             {},
+             "half a spacing; at fine spacings the water's own compression is left"});
     }
-    problem.claims.push_back({"default_time_step", "share of the soft law's run that the default Courant number does not survive", "dx / length of the air",
-                              0, {}, "a stable time step has no error",
-                              "The step follows from the sound speed at the reference density. Compressed to half, the air's own is 15 % higher "
-                              "and its particles stand twice as dense along the tube; the default Courant number of 0.5 then is too large, the "
+    problem.claims.push_back({"default_time_step",
+                              "share of the soft law's run that the default Courant number does not survive",
+                              "dx / length of the air",
+                              0,
+                              {},
+                              "a stable time step has no error",
+                              "The step follows from the sound speed at the reference density. Compressed to "
+                              "half, the air's own is 15 % higher "
+                              "and its particles stand twice as dense along the tube; the default Courant "
+                              "number of 0.5 then is too large, the "
                               "paper's 0.25, with which all else here is run, is not."});
     problem.run = run;
     return problem;
