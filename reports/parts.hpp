@@ -16,6 +16,9 @@ void add_failures(Page& page, const Summary& summary);
 /// Table of runs, speed against error, revisions.
 void add_front_part(Page& page, const Summary& summary);
 
+/// Problems with exact solutions, where the directory holds any.
+void add_verification_part(Page& page, const Summary& summary);
+
 /// One scene, from purpose to provenance.
 void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scene,
                     const ReportInputs& inputs);

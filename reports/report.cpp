@@ -12,6 +12,7 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
     Page page(directory, inputs.plotly);
     add_failures(page, summary);
     add_front_part(page, summary);
+    add_verification_part(page, summary);
     for (const AnalysisSpec& scene : scenes_of(summary)) add_scene_part(page, summary, scene, inputs);
 
     std::string title = "wetdeck report, tier " + (summary.tier.empty() ? "unknown" : summary.tier);

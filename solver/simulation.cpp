@@ -149,6 +149,12 @@ void Simulation::wall_pass() {
 void Simulation::momentum_pass() {
     const StageTimer timer(stages_.momentum);
     loops_.accelerations(pass_input());
+    if (model_.central_frequency == 0) return;
+    const double stiffness = model_.central_frequency * model_.central_frequency;
+    for (std::size_t i = 0; i < fluid_.size(); ++i) {
+        fluid_.acceleration_x[i] -= stiffness * fluid_.state[i].x;
+        fluid_.acceleration_y[i] -= stiffness * fluid_.state[i].y;
+    }
 }
 
 /// Forces of the fluid on the bodies, Eqs. (20)-(21), and the accelerations that follow.

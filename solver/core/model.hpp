@@ -22,7 +22,8 @@ struct Material {
 struct Model {
     Material water;
     Material air;
-    Vec2 gravity = Vec2::Zero();  ///< [m/s^2]
+    Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
+    double central_frequency = 0;  ///< of a pull towards the origin, -frequency^2 r [1/s]; fluid only
 
     Mean velocity_mean = Mean::impedance_weighted;
     Mean pressure_mean = Mean::impedance_weighted;

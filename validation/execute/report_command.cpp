@@ -11,11 +11,14 @@
 
 #include "reports/report.hpp"
 #include "solver/core/errors.hpp"
+#include "solver/pair_loop/pair_loop.hpp"
 #include "validation/execute/pictures.hpp"
 #include "validation/metrics/analysis.hpp"
 #include "validation/metrics/summary_json.hpp"
+#include "validation/metrics/verification_json.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/provenance.hpp"
 #include "validation/store/run_store.hpp"
 
 namespace wetdeck {
@@ -32,7 +35,7 @@ std::vector<RunSummary> read_runs(const fs::path& directory) {
          fs::recursive_directory_iterator(directory, fs::directory_options::skip_permission_denied)) {
         if (entry.path().filename() == "run.h5" && entry.is_regular_file()) files.push_back(entry.path());
     }
-    if (files.empty())
+    if (files.empty() && !fs::exists(directory / verification_file))
         throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run",
                                      directory.string()));
     std::vector<RunSummary> runs;
@@ -59,7 +62,12 @@ std::map<std::string, Scene> scenes_of(const std::vector<RunSummary>& runs) {
 }
 
 ProgramInfo program_info(const std::vector<RunSummary>& runs) {
-    const auto& c = runs.front().record.choices;
+    std::map<std::string, std::string> c;
+    if (runs.empty()) {  // verification alone: this program ran it
+        collect_provenance(pair_loops(Model{}).instruction_set, 1).add_to(c);
+    } else {
+        c = runs.front().record.choices;
+    }
     const auto get = [&c](const char* key) {
         const auto found = c.find(key);
         return found == c.end() ? std::string("unknown") : found->second;
@@ -78,7 +86,7 @@ ProgramInfo program_info(const std::vector<RunSummary>& runs) {
 void read_suite_plan(const fs::path& directory, Summary& summary) {
     std::ifstream in(directory / "suite.json");
     if (!in) {
-        summary.tier = "single runs";
+        summary.tier = summary.runs.empty() ? "verification" : "single runs";
         return;
     }
     const nlohmann::json plan = nlohmann::json::parse(in, nullptr, false);
@@ -111,6 +119,7 @@ Summary make_report(const fs::path& directory) {
     std::vector<AnalysisSpec> specifications;
     for (const auto& [name, scene] : scenes) specifications.push_back(scene.analysis);
     Summary summary = analyse(specifications, std::move(runs), reference_directory());
+    summary.verification = read_verification(directory / verification_file);
     read_suite_plan(directory, summary);
 
     report::ReportInputs inputs;
@@ -140,6 +149,7 @@ bool finest_of_variant(const Summary& summary, const RunSummary& run) {
 }
 
 bool within_tolerance(const Summary& summary) {
+    if (!all_within(summary.verification)) return false;
     for (const RunSummary& run : summary.runs) {
         if (run.record.variant == "paper" || !finest_of_variant(summary, run)) continue;
         for (const QuantityResult& q : run.quantities) {

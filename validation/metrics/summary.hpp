@@ -8,6 +8,7 @@
 
 #include "validation/metrics/curve.hpp"
 #include "validation/metrics/specification.hpp"
+#include "validation/metrics/verification.hpp"
 #include "validation/store/run_record.hpp"
 
 namespace wetdeck {
@@ -77,6 +78,7 @@ struct Summary {
     std::vector<RunSummary> runs;
     std::vector<ConvergenceRow> convergence;
     std::vector<SpeedErrorPoint> speed_error;
+    std::vector<VerificationProblem> verification;
     std::vector<std::string> missing;  ///< runs that the tier asks for and the directory lacks
 };
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "validation/metrics/verification_json.hpp"
+
 namespace wetdeck {
 namespace {
 
@@ -120,7 +122,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"runs", list_json(summary.runs, run_json)},
             {"convergence", list_json(summary.convergence, convergence_json)},
             {"speed_error", list_json(summary.speed_error, speed_error_json)},
-            {"verification", json::array()},
+            {"verification", verification_list(summary.verification)},
             {"ablation", json::array()},
             {"stress", json::array()},
             {"missing", summary.missing}};

@@ -8,6 +8,7 @@
 
 #include "validation/execute/progress.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/verification/problems.hpp"
 
 namespace wetdeck {
 
@@ -23,9 +24,12 @@ void print_list(bool as_json) {
                           {"default_variant", scene.variant},
                           {"variants", variants}});
     }
+    nlohmann::json problems = nlohmann::json::array();
+    for (const verification::Problem& problem : verification::all_problems())
+        problems.push_back({{"name", problem.name}, {"title", problem.title}, {"quick", problem.quick}});
     if (as_json) {
         const nlohmann::json all = {
-            {"scenes", scenes}, {"problems", nlohmann::json::array()}, {"stress", nlohmann::json::array()}};
+            {"scenes", scenes}, {"problems", problems}, {"stress", nlohmann::json::array()}};
         fmt::print("{}\n", all.dump(1));
         return;
     }
@@ -36,6 +40,9 @@ void print_list(bool as_json) {
             fmt::print("      {:14} {}\n", v["name"].get<std::string>(), v["description"].get<std::string>());
         }
     }
+    fmt::print("Problems with exact solutions (wetdeck verify)\n");
+    for (const auto& problem : problems)
+        fmt::print("  {:20} {}\n", problem["name"].get<std::string>(), problem["title"].get<std::string>());
 }
 
 void print_description(const std::string& name) {

@@ -14,6 +14,7 @@
 #include "validation/execute/run.hpp"
 #include "validation/execute/stop_signal.hpp"
 #include "validation/execute/suite.hpp"
+#include "validation/execute/verify.hpp"
 #include "validation/metrics/reference.hpp"
 #include "validation/program/describe.hpp"
 #include "validation/store/provenance.hpp"
@@ -39,6 +40,8 @@ struct Options {
     double checkpoint_interval = RunOptions{}.checkpoint_interval;
     // suite
     SuiteOptions suite;
+    // verify
+    VerifyOptions verify;
     // all
     std::string out;
     bool json = false, quiet = false;
@@ -110,6 +113,16 @@ int suite_command(Options& options) {
     fmt::print("report: {}\n", (suite.directory / "index.html").string());
     if (worst != 0) return worst;
     return within_tolerance(summary) ? exit_done : exit_outside;
+}
+
+int verify_command(Options& options) {
+    VerifyOptions& verify = options.verify;
+    verify.directory = options.out.empty() ? fs::path("results") / "verification" : fs::path(options.out);
+    const std::vector<VerificationProblem> results = run_verification(verify);
+    make_report(verify.directory);
+    fmt::print("report: {}\n", (verify.directory / "index.html").string());
+    if (any_unstable(results)) return exit_unstable;
+    return all_within(results) ? exit_done : exit_outside;
 }
 
 int report_command(const Options& options) {
@@ -203,10 +216,17 @@ int dispatch(int argc, char** argv) {
             ->check(CLI::Range(0.0, 1e9))
             ->capture_default_str();
 
+    CLI::App* verify =
+        app.add_subcommand("verify", "problems with exact solutions: error and observed order");
+    verify->add_option("--only", options.verify.problems, "problems to run, separated by commas")
+        ->delimiter(',');
+    verify->add_option("--out", options.out, "directory of the results (results/verification)");
+    verify->add_flag("--fast", options.verify.fast, "coarse resolutions of the quick problems only");
+
     CLI::App* report = app.add_subcommand("report", "write the report again from the stored runs alone");
     report->add_option("directory", options.out, "directory of a suite or a run")->required();
 
-    CLI::App* list = app.add_subcommand("list", "scenes and their variants");
+    CLI::App* list = app.add_subcommand("list", "scenes and their variants, problems with exact solutions");
     list->add_flag("--json", options.json, "as JSON");
     CLI::App* describe = app.add_subcommand("describe", "set-up, references and cost of one scene");
     describe->add_option("scene", options.scene, "name or path")->required();
@@ -227,6 +247,7 @@ int dispatch(int argc, char** argv) {
     if (*suite) return suite_command(options);
     if (*run) return run_command(options);
     if (*resume) return resume_command(options);
+    if (*verify) return verify_command(options);
     if (*report) return report_command(options);
     if (*list) return print_list(options.json), exit_done;
     if (*describe) return print_description(options.scene), exit_done;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// verification.json keeps all that the report shows, and says what is wrong with a file that is none.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "solver/core/errors.hpp"
+#include "validation/metrics/verification_json.hpp"
+
+using namespace wetdeck;
+
+namespace {
+
+std::filesystem::path written(const std::string& text) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / "wetdeck_verification_test.json";
+    std::ofstream(file) << text;
+    return file;
+}
+
+}  // namespace
+
+TEST_CASE("Results of problems are read back as they were written", "[verification]") {
+    VerificationProblem problem;
+    problem.name = "pulse";
+    problem.notes = {"a note"};
+    problem.rows.push_back({{"speed", "error of it", "dx / L", 0.1, Window{0.5, 1.5}, "theory", "misses"},
+                            {0.1, 0.05},
+                            {0.02, 0.01},
+                            {},
+                            false});
+    judge(problem.rows[0]);
+    problem.figures.push_back({"curve", "x", "m", "y", "-", {{0, 1}, {2, 3}}, {{"fine", {{0}, {1}}}}});
+    const auto file = written(verification_json({problem}).dump());
+    const auto read = read_verification(file);
+    std::filesystem::remove(file);
+    REQUIRE(read.size() == 1);
+    CHECK(verification_json(read) == verification_json({problem}));
+    CHECK(read[0].rows[0].order.value() == Approx(1));
+    CHECK(all_within(read));
+    const auto entry = verification_list(read).at(0);
+    CHECK(entry.at("problem") == "pulse");
+    CHECK(entry.at("expected_order") == 1.0);
+    CHECK(entry.at("within") == true);
+}
+
+TEST_CASE("An error that is not a number is null in the file and outside its bound", "[verification]") {
+    VerificationProblem problem;
+    problem.rows.push_back({{"speed", "", "", 0.1, {}, ""}, {0.1}, {std::nan("")}, {}, true});
+    judge(problem.rows[0]);
+    const auto file = written(verification_json({problem}).dump());
+    const auto read = read_verification(file);
+    std::filesystem::remove(file);
+    CHECK(verification_list(read).at(0).at("error").at(0).is_null());
+    CHECK_FALSE(all_within(read));
+}
+
+TEST_CASE("A file that holds no results is refused; none at all is no results", "[verification]") {
+    const auto file = written("{\"name\": 3");
+    CHECK_THROWS_AS(read_verification(file), DataError);
+    std::filesystem::remove(file);
+    CHECK(read_verification(file).empty());
+}

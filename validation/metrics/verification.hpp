@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Results of problems with exact solutions, as plain data: what verification.json, summary.json and the
+// report show. A problem states each of its claims before it is run; whether a claim held is decided here, by
+// one rule.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "validation/metrics/curve.hpp"
+#include "validation/metrics/specification.hpp"
+
+namespace wetdeck {
+
+/// What a problem promises of one of its errors.
+struct Claim {
+    std::string quantity;    ///< name of the error
+    std::string meaning;     ///< difference of what from what, over what scale
+    std::string resolution;  ///< what the resolution counts: "dx / depth"
+    double bound = 0;        ///< largest error at the coarsest resolution
+    std::optional<Window>
+        order;           ///< range of the slope of log error over log resolution; empty: none expected
+    std::string reason;  ///< where the bound and the order come from
+    std::string known_miss = {};  ///< why the scheme does not hold it, by how much; empty: it should
+};
+
+/// A claim and what came out. Resolutions are lengths (or amplitudes): smaller is finer. Coarse to fine.
+struct VerificationRow {
+    Claim claim;
+    std::vector<double> resolution, error;
+    std::optional<double> order;  ///< least-squares slope of log error over log resolution
+    bool within = false;
+};
+
+/// Computed curves against the exact one.
+struct VerificationFigure {
+    std::string title, x_label, x_unit, y_label, y_unit;
+    Curve exact;  ///< may be empty
+    std::vector<std::pair<std::string, Curve>> computed;
+};
+
+struct VerificationProblem {
+    std::string name, title;
+    std::string exact;  ///< the exact solution, in words and formulas
+    std::vector<VerificationRow> rows;
+    std::vector<VerificationFigure> figures;
+    std::vector<std::string> notes;  ///< what misses, and why
+    std::string unstable;            ///< where and how a run died; empty if none did
+    double wall_s = 0;
+};
+
+/// Slope of the least-squares line through (log resolution, log error); empty with fewer than two positive
+/// errors.
+std::optional<double> observed_slope(const std::vector<double>& resolution, const std::vector<double>& error);
+
+/// Fills order and within. A claim holds if every error is finite and at most
+///     bound (resolution / coarsest resolution)^(low end of the order's range, 0 without one)
+/// and the order, where one is expected, lies in its range.
+void judge(VerificationRow& row);
+
+/// Every claim of every problem held, and no run died.
+bool all_within(const std::vector<VerificationProblem>& problems);
+bool any_unstable(const std::vector<VerificationProblem>& problems);
+
+}  // namespace wetdeck

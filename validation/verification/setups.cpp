@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/verification/setups.hpp"
+
+#include "solver/setup/lattice.hpp"
+
+namespace wetdeck::verification {
+
+Model water_model(double sound_speed, double gravity) {
+    Model model;
+    model.water.eos = {water_density, sound_speed, 7, 0};
+    model.air.eos = {air_density, sound_speed, 1.4, 0};
+    model.gravity = {0, -gravity};
+    model.threads = 1;
+    return model;
+}
+
+Model two_phase_model(double water_sound_speed, double air_sound_speed, double background_pressure,
+                      double gravity) {
+    Model model = water_model(water_sound_speed, gravity);
+    model.water.eos.background_pressure = background_pressure;
+    model.air.eos = {air_density, air_sound_speed, 1.4, background_pressure};
+    return model;
+}
+
+Setup::Setup(const Model& model_, Box domain_, double particle_spacing_, bool with_walls)
+    : model(model_), particle_spacing(particle_spacing_), domain(domain_) {
+    if (with_walls)
+        walls = tank_walls(domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing);
+}
+
+void Setup::fill(Phase phase, Box box) {
+    const Material& material = phase == Phase::water ? model.water : model.air;
+    fill_box(fluid, phase, box, particle_spacing, material.eos.reference_density);
+}
+
+void shake(Setup& setup, double share, std::uint64_t seed) {
+    Dice dice(seed);
+    for (FluidState& p : setup.fluid.state) {
+        p.x += dice.symmetric(share * setup.particle_spacing);
+        p.y += dice.symmetric(share * setup.particle_spacing);
+    }
+}
+
+}  // namespace wetdeck::verification

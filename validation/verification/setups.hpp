@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Models, particles and measures that several problems share.
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "solver/simulation.hpp"
+
+namespace wetdeck::verification {
+
+inline constexpr double water_density = 1000, air_density = 1;  // [kg/m^3]
+
+/// Water alone, the scheme's defaults, one thread. Tension is allowed.
+Model water_model(double sound_speed, double gravity = 0);
+
+/// Water and air, the scheme's defaults, one thread.
+Model two_phase_model(double water_sound_speed, double air_sound_speed, double background_pressure,
+                      double gravity = 0);
+
+/// Everything a simulation is made of.
+struct Setup {
+    Model model;
+    FluidParticles fluid;
+    WallParticles walls;
+    std::vector<RigidBody> bodies;
+    double particle_spacing = 0;
+    Box domain;
+
+    /// A tank with walls all around; without them its sides are only where particles are expected.
+    Setup(const Model& model, Box domain, double particle_spacing, bool with_walls);
+    void fill(Phase phase, Box box);
+    Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain, bodies); }
+};
+
+/// Uniform numbers that are the same everywhere.
+class Dice {
+  public:
+    explicit Dice(std::uint64_t seed) : engine_(seed) {}
+    /// In [-size, size).
+    double symmetric(double size) { return size * (2 * static_cast<double>(engine_() >> 11) * 0x1p-53 - 1); }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// Moves every particle by up to `share` spacings along each axis.
+void shake(Setup& setup, double share, std::uint64_t seed);
+
+/// Kernel mean of a value over the fluid at a place: SUM value_j V_j W_j / SUM V_j W_j.
+template <class Value>
+double kernel_mean(const Simulation& simulation, Vec2 place, Value value) {
+    const WendlandC2 kernel = simulation.kernel();
+    const FluidParticles& fluid = simulation.fluid();
+    double sum = 0, weights = 0;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const FluidState& p = fluid.state[i];
+        const double weight = p.volume * kernel.value((p.position() - place).norm());
+        if (weight == 0) continue;
+        sum += weight * value(i);
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+/// Root mean square of the values of f over the fluid's particles that `chosen` picks.
+template <class Chosen, class Value>
+double rms(const FluidParticles& fluid, Chosen chosen, Value value) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        if (!chosen(i)) continue;
+        const double v = value(i);
+        sum += v * v;
+        count += 1;
+    }
+    return std::sqrt(sum / count);
+}
+
+}  // namespace wetdeck::verification
