@@ -4,12 +4,17 @@
 
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "validation/metrics/compare.hpp"
 #include "validation/metrics/conservation.hpp"
 #include "validation/metrics/convergence.hpp"
+#include "validation/metrics/curve_convergence.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/metrics/resample.hpp"
 #include "validation/metrics/speed_error.hpp"
+#include "validation/metrics/statistics.hpp"
+#include "validation/metrics/validation.hpp"
 
 namespace wetdeck {
 namespace {
@@ -45,10 +50,40 @@ void add_convergence(const AnalysisSpec& spec, Summary& summary) {
     }
 }
 
+/// The first comparison of each series says how it is scaled and where it matters.
+void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
+    std::set<std::string> seen;
+    for (const ComparisonSpec& comparison : spec.comparisons) {
+        if (!seen.insert(comparison.quantity).second) continue;
+        std::map<std::string, std::map<double, Curve>> variants;
+        for (const RunSummary& run : summary.runs) {
+            if (run.record.scene != spec.scene || run.record.status != RunStatus::ok) continue;
+            SeriesCurve series = series_curve(run.record, comparison.quantity, comparison.x_scale,
+                                              comparison.y_scale, comparison.y_offset);
+            if (series.problem.empty())
+                variants[run.record.variant][run.record.particle_spacing] = std::move(series.curve);
+        }
+        for (const auto& [variant, curves] : variants) {
+            const Window window = comparison.window.value_or(extent(curves.begin()->second));
+            CurveConvergenceRow row = curve_convergence({curves.begin(), curves.end()}, window);
+            row.scene = spec.scene;
+            row.variant = variant;
+            row.series = comparison.quantity;
+            summary.curve_convergence.push_back(std::move(row));
+        }
+    }
+}
+
+template <typename Item>
+void append(std::vector<Item>& all, std::vector<Item> some) {
+    std::move(some.begin(), some.end(), std::back_inserter(all));
+}
+
 }  // namespace
 
 Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary> runs,
-                const std::filesystem::path& reference_directory) {
+                const std::filesystem::path& reference_directory,
+                std::vector<SensitivityRun> sensitivity_runs) {
     Summary summary;
     summary.scenes = scenes;
     summary.runs = std::move(runs);
@@ -61,11 +96,20 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         for (RunSummary& run : summary.runs) {
             if (run.record.scene == spec.scene) evaluate_run(spec, run, references);
         }
+        for (SensitivityRun& varied : sensitivity_runs) {
+            if (varied.run.record.scene == spec.scene) evaluate_run(spec, varied.run, references);
+        }
         add_convergence(spec, summary);
+        add_curve_convergence(spec, summary);
+        append(summary.sensitivity, sensitivity_rows(spec, sensitivity_runs));
+        append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
+        append(summary.scatter, scatter_points(spec, summary.runs));
+        append(summary.cheapest, cheapest_rows(summary.runs, spec));
+        append(summary.peers, peer_points(spec, references));
         if (spec.error_quantity.empty()) continue;
-        auto points = speed_error_points(summary.runs, spec.scene, spec.error_quantity);
-        std::move(points.begin(), points.end(), std::back_inserter(summary.speed_error));
+        append(summary.speed_error, speed_error_points(summary.runs, spec.scene, spec.error_quantity));
     }
+    summary.statistics = class_statistics(summary.scatter);
     return summary;
 }
 
