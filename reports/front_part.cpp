@@ -163,6 +163,8 @@ void add_front_part(Page& page, const Summary& summary) {
     }
     page.add_figures(figures);
     if (figures.empty()) page.add(paragraph("No run has both a cost and an error.", "soft"));
+    page.add(cheapest_table(summary));
+    page.add(peer_points_table(summary));
 
     page.section(2, "Revisions");
     page.add(revisions_table(summary));

@@ -19,9 +19,10 @@ constexpr std::string_view content_policy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
 /// Adds -2, -3, ... to a name that is taken.
-std::string unique(std::set<std::string>& names, const std::string& wanted) {
+std::string unique(std::map<std::string, std::string>& names, const std::string& wanted,
+                   std::string_view title) {
     std::string name = wanted;
-    for (int i = 2; !names.insert(name).second; ++i) name = fmt::format("{}-{}", wanted, i);
+    for (int i = 2; !names.emplace(name, title).second; ++i) name = fmt::format("{}-{}", wanted, i);
     return name;
 }
 
@@ -32,10 +33,15 @@ Page::Page(std::filesystem::path directory, std::string plotly)
     make_directories(figures_);
 }
 
-void Page::section(int level, std::string_view title) {
-    const std::string id = unique(names_, "section-" + slug(title));
+void Page::section(int level, std::string_view title, std::string_view scope) {
+    const std::string scoped = scope.empty() ? std::string(title) : fmt::format("{} {}", scope, title);
+    const std::string id = unique(names_, "section-" + slug(scoped), scoped);
     body_ += fmt::format("<h{0} id=\"{1}\">{2}</h{0}>\n", level, id, escape(title));
     contents_ += fmt::format("<a class=\"level{}\" href=\"#{}\">{}</a>\n", level, id, escape(title));
+}
+
+void Page::anchor(std::string_view name, std::string_view title) {
+    body_ += fmt::format("<a id=\"{}\"></a>\n", unique(names_, slug(name), title));
 }
 
 std::string Page::static_drawing(const Figure& figure) {
@@ -52,7 +58,7 @@ std::string Page::static_drawing(const Figure& figure) {
 }
 
 std::string Page::figure(Figure figure) {
-    figure.name = unique(names_, slug(figure.name));
+    figure.name = unique(names_, slug(figure.name), figure.title);
     const std::string csv = figure.name + ".csv";
     atomic_write(figures_ / csv, figure_csv(figure));
     files_.insert(csv);

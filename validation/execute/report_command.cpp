@@ -10,9 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/report.hpp"
+#include "reports/selection.hpp"
 #include "solver/core/errors.hpp"
 #include "validation/execute/pictures.hpp"
 #include "validation/metrics/analysis.hpp"
+#include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/summary_json.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/store/atomic_write.hpp"
@@ -95,6 +97,16 @@ void read_suite_plan(const fs::path& directory, Summary& summary) {
     }
 }
 
+/// Of each scene and variant the finest.
+report::Runs finest_runs(const Summary& summary) {
+    report::Runs all;
+    for (const AnalysisSpec& scene : report::scenes_of(summary)) {
+        for (const RunSummary* run : report::finest_of_each(report::runs_of(summary, scene)))
+            all.push_back(run);
+    }
+    return all;
+}
+
 }  // namespace
 
 void write_suite_plan(const fs::path& directory, const std::string& tier,
@@ -112,6 +124,8 @@ Summary make_report(const fs::path& directory) {
     for (const auto& [name, scene] : scenes) specifications.push_back(scene.analysis);
     Summary summary = analyse(specifications, std::move(runs), reference_directory());
     read_suite_plan(directory, summary);
+    summary.ablation = read_ablation(directory);
+    summary.stress = read_stress(directory);
 
     report::ReportInputs inputs;
     inputs.program = {{"version", program.version},
@@ -122,30 +136,22 @@ Summary make_report(const fs::path& directory) {
     inputs.plotly = report::load_plotly();
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
     for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
-    for (const RunSummary& run : summary.runs) {
-        if (!finest_of_variant(summary, run)) continue;
-        inputs.pictures[run.directory] =
-            field_pictures(scenes.at(run.record.scene), run.record, directory / run.directory);
+    for (const RunSummary* run : finest_runs(summary)) {
+        inputs.pictures[run->directory] =
+            field_pictures(scenes.at(run->record.scene), run->record, directory / run->directory);
     }
     atomic_write(directory / "summary.json", summary_json(summary, program).dump(1) + "\n");
     report::write_report(directory, summary, inputs);
     return summary;
 }
 
-bool finest_of_variant(const Summary& summary, const RunSummary& run) {
-    return std::none_of(summary.runs.begin(), summary.runs.end(), [&](const RunSummary& other) {
-        return other.record.scene == run.record.scene && other.record.variant == run.record.variant &&
-               other.record.particle_spacing < run.record.particle_spacing;
-    });
-}
-
 bool within_tolerance(const Summary& summary) {
-    for (const RunSummary& run : summary.runs) {
-        if (run.record.variant == "paper" || !finest_of_variant(summary, run)) continue;
-        for (const QuantityResult& q : run.quantities) {
+    for (const RunSummary* run : finest_runs(summary)) {
+        if (run->record.variant == "paper") continue;
+        for (const QuantityResult& q : run->quantities) {
             if (q.within && !*q.within) return false;
         }
-        for (const ComparisonResult& c : run.comparisons) {
+        for (const ComparisonResult& c : run->comparisons) {
             if (c.available && !c.within) return false;
         }
     }

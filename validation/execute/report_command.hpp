@@ -19,9 +19,6 @@ Summary make_report(const std::filesystem::path& directory);
 void write_suite_plan(const std::filesystem::path& directory, const std::string& tier,
                       const std::vector<std::string>& run_directories);
 
-/// Whether no run of the same scene and variant is finer.
-bool finest_of_variant(const Summary& summary, const RunSummary& run);
-
 /// Whether every available comparison and expected quantity of the finest spacing of each variant but `paper`
 /// is within its tolerance.
 bool within_tolerance(const Summary& summary);

@@ -15,8 +15,8 @@ namespace wetdeck {
 /// the runs that ended well, and error against cost for the scenes that name an error quantity. References
 /// are read from reference_directory/<scene>/. A run whose scene has no specification keeps its conservation
 /// errors only. `sensitivity_runs` are runs with one input changed: they count for the input uncertainty
-/// alone. `tier`, `ablation`, `stress` and `missing` are left to the caller. Throws InputError for a specification, DataError
-/// for a reference file, that is not sound.
+/// alone. `tier`, `ablation`, `stress` and `missing` are left to the caller. Throws InputError for a
+/// specification, DataError for a reference file, that is not sound.
 Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary> runs,
                 const std::filesystem::path& reference_directory,
                 std::vector<SensitivityRun> sensitivity_runs = {});

@@ -9,10 +9,11 @@
 
 namespace wetdeck {
 
-/// Convergence of one curve over its spacings (any order; the finest three decide), inside the window that all
-/// curves span, at `comparison_instants` equidistant instants:
+/// Convergence of one curve over its spacings (any order; the finest three decide), inside the window that
+/// all curves span, at `comparison_instants` equidistant instants:
 ///   difference      root mean square of each curve minus the next finer one
-///   order           of these differences, as for a quantity (observed_order), with f3 - f2 and f2 - f1 replaced
+///   order           of these differences, as for a quantity (observed_order), with f3 - f2 and f2 - f1
+///   replaced
 ///                   by the two finest differences
 ///   gci_fine        1.25 difference / (r21^p - 1), only where the verdict is monotonic
 ///   monotone_share  of the instants at which the three finest values change in one direction

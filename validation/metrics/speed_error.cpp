@@ -28,8 +28,8 @@ bool beats(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
 /// Takes a run into the row if it is cheaper, or better, than what is there.
 void take(CheapestRow& row, const RunSummary& run, double error) {
     const RunRecord& record = run.record;
-    const SpeedErrorPoint point{record.scene, record.variant, record.particle_spacing,
-                                record.cost.core_s, error, false};
+    const SpeedErrorPoint point{record.scene,       record.variant, record.particle_spacing,
+                                record.cost.core_s, error,          false};
     const auto cheaper = [&](std::optional<SpeedErrorPoint>& place) {
         if (!place || point.core_s < place->core_s) place = point;
     };
@@ -103,8 +103,7 @@ std::vector<PeerPoint> peer_points(const AnalysisSpec& scene, ReferenceShelf& re
         if (spec.quantity != error->series || spec.reference == error->reference) continue;
         const Reference* peer = references.find(spec.reference);
         if (peer == nullptr || peer->kind != "peer-simulation") continue;
-        const Curve curve =
-            scaled_reference(*peer, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
+        const Curve curve = scaled_reference(*peer, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
         const auto common = overlap(target, *error->window);
         if (!common || !covers(curve, *common)) continue;
         const auto conditions = peer->keys.find("cost_conditions");

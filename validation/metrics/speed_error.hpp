@@ -17,8 +17,8 @@ std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& r
                                                 const std::string& error_quantity);
 
 /// For every quantity with an expected value other than zero (relative error |S - D| / |D|) and every curve
-/// that is not another simulation's (nrmse): the cheapest sound run within 5 % and within 10 %, and the run of
-/// the smallest error.
+/// that is not another simulation's (nrmse): the cheapest sound run within 5 % and within 10 %, and the run
+/// of the smallest error.
 std::vector<CheapestRow> cheapest_rows(const std::vector<RunSummary>& runs, const AnalysisSpec& scene);
 
 /// Other codes in the place of the scene's error quantity, where that is an rms difference to a curve: each

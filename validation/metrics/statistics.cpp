@@ -16,9 +16,11 @@ namespace {
 
 const std::map<std::string, std::string>& classes_by_unit() {
     static const std::map<std::string, std::string> classes{
-        {"Pa", "pressure"},  {"N/m", "force"},           {"N", "torque"},        {"m", "position"},
-        {"rad", "angle"},    {"m/s", "velocity"},        {"m/s^2", "acceleration"}, {"N s/m", "impulse"},
-        {"J/m", "energy"},   {"rad/s", "angular velocity"}};
+        {"Pa", "pressure"},        {"N/m", "force"},
+        {"N", "torque"},           {"m", "position"},
+        {"rad", "angle"},          {"m/s", "velocity"},
+        {"m/s^2", "acceleration"}, {"N s/m", "impulse"},
+        {"J/m", "energy"},         {"rad/s", "angular velocity"}};
     return classes;
 }
 
@@ -96,8 +98,7 @@ std::string reason_to_drop(const ScatterPoint& point) {
     if (point.kind == "peer-simulation") return "another simulation, no measurement";
     if (point.kind == "stated") return "stated in a publication, no measurement";
     if (point.kind == "analytic") return "an analytic solution, no measurement";
-    if (point.kind != "experiment")
-        return "the scene does not say what kind the expected value is";
+    if (point.kind != "experiment") return "the scene does not say what kind the expected value is";
     if (!(point.expected > 0) || !(point.predicted > 0)) return "not positive: no logarithm";
     return "";
 }

@@ -15,8 +15,8 @@ std::string quantity_class(const std::string& metric, const std::string& series_
 
 /// The pairs of a scene in SI units: every expected quantity and every curve (its peak, or its mean where the
 /// reference has no peak inside the window), from the finest sound run of the default variant. Not counted,
-/// with the reason: pairs from other simulations, analytic solutions or statements, of a kind nobody has said,
-/// with a value that is not positive (no logarithm), further readings of one record, and curves that a
+/// with the reason: pairs from other simulations, analytic solutions or statements, of a kind nobody has
+/// said, with a value that is not positive (no logarithm), further readings of one record, and curves that a
 /// quantity of the same class and series stands for.
 std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs);
 

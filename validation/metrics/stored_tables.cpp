@@ -75,10 +75,8 @@ json ablation_json(const AblationRow& row) {
 }
 
 json stress_json(const StressRow& row) {
-    return {{"case", row.stress_case},
-            {"setting", row.setting},
-            {"survived", row.survived},
-            {"note", row.note}};
+    return {
+        {"case", row.stress_case}, {"setting", row.setting}, {"survived", row.survived}, {"note", row.note}};
 }
 
 void write_ablation(const fs::path& directory, const std::vector<AblationRow>& rows) {

@@ -85,12 +85,12 @@ struct ConvergenceRow {
 struct CurveConvergenceRow {
     std::string scene, variant, series;
     Window window;
-    std::vector<double> dx;              ///< [m], coarse to fine
-    std::vector<double> difference;      ///< rms, each spacing against the next finer one, scaled
-    double range = 0;                    ///< of the finest curve in the window, scaled
+    std::vector<double> dx;                 ///< [m], coarse to fine
+    std::vector<double> difference;         ///< rms, each spacing against the next finer one, scaled
+    double range = 0;                       ///< of the finest curve in the window, scaled
     std::optional<double> order, gci_fine;  ///< the latter in the scaled unit
-    double monotone_share = 0;           ///< of the instants
-    std::string verdict;                 ///< as for quantities
+    double monotone_share = 0;              ///< of the instants
+    std::string verdict;                    ///< as for quantities
 };
 
 /// Comparison error of one quantity of the finest run of a variant and what is known of its uncertainty, in

@@ -80,9 +80,8 @@ json run_json(const RunSummary& run) {
         return found == record.choices.end() ? json(nullptr) : json(found->second);
     };
     json provenance = json::object();
-    for (const char* key :
-         {"commit", "compiler", "compiler_flags", "build_type", "libraries", "simd", "cpu", "threads",
-          "start_time", "overrides", "reference_hashes"})
+    for (const char* key : {"commit", "compiler", "compiler_flags", "build_type", "libraries", "simd", "cpu",
+                            "threads", "start_time", "overrides", "reference_hashes"})
         provenance[key] = entry(key);
     json quantities = json::object();
     for (const QuantityResult& result : run.quantities) quantities[result.name] = quantity_json(result);
@@ -197,12 +196,9 @@ json sensitivity_json(const SensitivityRow& row) {
 }
 
 json peer_json(const PeerPoint& point) {
-    return {{"scene", point.scene},
-            {"name", point.name},
-            {"reference", point.reference},
-            {"error", number(point.error)},
-            {"core_s", number(point.core_s)},
-            {"conditions", point.conditions}};
+    return {{"scene", point.scene},           {"name", point.name},
+            {"reference", point.reference},   {"error", number(point.error)},
+            {"core_s", number(point.core_s)}, {"conditions", point.conditions}};
 }
 
 json cheapest_run_json(const std::optional<SpeedErrorPoint>& point) {

@@ -124,8 +124,7 @@ std::map<double, double> values_by_spacing(const AnalysisSpec& scene, const Soun
     std::map<double, double> values;
     for (const RunSummary* run : runs) {
         for (const Item& item : items_of(scene, *run)) {
-            if (item.name == name && item.simulated)
-                values[run->record.particle_spacing] = *item.simulated;
+            if (item.name == name && item.simulated) values[run->record.particle_spacing] = *item.simulated;
         }
     }
     return values;
@@ -139,8 +138,7 @@ std::string validation_verdict(const ValidationRow& row) {
     if (row.u_num && size <= *row.u_num)
         return "error no larger than the numerical uncertainty: finer spacings must come first";
     if (size <= row.u_known) return "model error within the validation uncertainty";
-    if (row.u_val && size > 2 * *row.u_val)
-        return fmt::format("model error is about E: simulation {}", side);
+    if (row.u_val && size > 2 * *row.u_val) return fmt::format("model error is about E: simulation {}", side);
     if (row.u_val)
         return fmt::format("E exceeds the validation uncertainty by less than two: simulation {}, perhaps",
                            side);
@@ -203,18 +201,12 @@ std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
             const auto same = std::find_if(at_high.begin(), at_high.end(),
                                            [&](const Item& other) { return other.name == item.name; });
             if (same == at_high.end() || !item.simulated || !same->simulated) continue;
-            SensitivityRow row{scene.scene,
-                               low->run.record.variant,
-                               item.name,
-                               item.unit,
-                               spec.key,
-                               low->run.record.particle_spacing,
-                               spec.low,
-                               spec.high,
-                               spec.uncertainty,
-                               *item.simulated,
-                               *same->simulated,
-                               0};
+            SensitivityRow row{scene.scene,      low->run.record.variant,
+                               item.name,        item.unit,
+                               spec.key,         low->run.record.particle_spacing,
+                               spec.low,         spec.high,
+                               spec.uncertainty, *item.simulated,
+                               *same->simulated, 0};
             row.u_input = std::abs((row.value_high - row.value_low) / (spec.high - spec.low)) *
                           std::abs(spec.uncertainty);
             rows.push_back(std::move(row));

@@ -11,8 +11,8 @@ namespace wetdeck {
 
 /// The rows of one scene: for the finest run of each variant that ended well, every quantity that an
 /// experiment gives a value for (or a source of unsaid kind; an error measure against a curve is no such
-/// quantity), and of every measured curve its peak, or its mean over the window where the reference has no peak
-/// inside.
+/// quantity), and of every measured curve its peak, or its mean over the window where the reference has no
+/// peak inside.
 ///   u_num    half of the grid convergence index (which is taken as a 95 % interval); where the three finest
 ///            spacings do not converge monotonically, the whole range of their values; unknown with fewer
 ///   u_data   stated with the expected value, or relative to the curve

@@ -47,7 +47,8 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales) {
     q.tolerance = table.optional_number("tolerance");
     q.expected_source = table.text_or("expected_source", "");
     if (table.has("expected_kind"))
-        q.expected_kind = table.choice("expected_kind", {"experiment", "peer-simulation", "analytic", "stated"});
+        q.expected_kind =
+            table.choice("expected_kind", {"experiment", "peer-simulation", "analytic", "stated"});
     q.expected_uncertainty = table.optional_number("expected_uncertainty");
     if (q.expected_uncertainty && *q.expected_uncertainty < 0)
         table.fail("expected_uncertainty", "expected zero or a positive number");
