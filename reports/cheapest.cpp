@@ -18,17 +18,20 @@ Cell configuration(const std::optional<SpeedErrorPoint>& point) {
 }  // namespace
 
 std::string cheapest_table(const Summary& summary) {
-    Table table({"scene", "quantity", "cheapest within 5 %", "cheapest within 10 %", "smallest error"},
-                "compact");
-    for (const CheapestRow& row : summary.cheapest) {
-        table.add({markup(escape(row.scene), "name"),
-                   markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>", escape(row.quantity),
-                                      escape(row.against)),
-                          "wide"),
-                   configuration(row.within_5), configuration(row.within_10), configuration(row.best)});
+    std::string out;
+    for (const AnalysisSpec& scene : scenes_of(summary)) {
+        Table table({"quantity", "cheapest within 5 %", "cheapest within 10 %", "smallest error"}, "compact");
+        for (const CheapestRow& row : summary.cheapest) {
+            if (row.scene != scene.scene) continue;
+            table.add({markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>", escape(row.quantity),
+                                          escape(row.against)),
+                              "wide"),
+                       configuration(row.within_5), configuration(row.within_10), configuration(row.best)});
+        }
+        if (!table.empty()) out += details(scene.scene, table.html());
     }
-    if (table.empty()) return "";
-    return "<h4>Cheapest configuration within 5 % and 10 %</h4>\n" + table.html() +
+    if (out.empty()) return "";
+    return "<h4>Cheapest configuration within 5 % and 10 %</h4>\n" + out +
            paragraph(
                "Errors: of a value relative to what is expected; of a curve, rms difference over the range "
                "of the reference. One run within a bound may be so by chance: see whether finer "

@@ -13,7 +13,7 @@ namespace wetdeck::report {
 std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page);
 /// Runs that died or are missing; values and curves outside tolerance.
 void add_failures(Page& page, const Summary& summary);
-/// Table of runs, speed against error, revisions.
+/// Table of runs, suite statistics, speed against error, revisions.
 void add_front_part(Page& page, const Summary& summary);
 /// Bias and scatter of each class of quantities over all scenes.
 void add_statistics_part(Page& page, const Summary& summary);
@@ -68,7 +68,7 @@ Cell status_cell(const RunRecord& record);
 
 /// The part of a comparison's title that names the reference, "Buchner (2002), first digitisation"; the stem
 /// of the file where that is too long for a legend.
-std::string reference_name(const ComparisonResult& comparison);
+std::string reference_name(const std::string& title, const std::string& stem);
 /// Of the reference: relative, one standard deviation.
 std::string uncertainty_text(const ComparisonResult& comparison);
 /// Empty if no time was taken.

@@ -12,7 +12,6 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
     Page page(directory, inputs.plotly);
     add_failures(page, summary);
     add_front_part(page, summary);
-    add_statistics_part(page, summary);
     add_stress_part(page, summary);
     for (const AnalysisSpec& scene : scenes_of(summary)) add_scene_part(page, summary, scene, inputs);
     add_paper_part(page, summary);

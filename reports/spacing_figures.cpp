@@ -32,6 +32,7 @@ void add_peers(Figure& figure, const Summary& summary, const std::string& scene)
     const Window costs = data_range(figure, true);
     for (const PeerPoint& peer : summary.peers) {
         if (peer.scene != scene || !(peer.error > 0)) continue;
+        const std::string name = reference_name(peer.name, peer.reference);
         PlotSeries s;
         s.colour = "#7d868e";
         s.width = 1.1;
@@ -40,11 +41,11 @@ void add_peers(Figure& figure, const Summary& summary, const std::string& scene)
             s.filled = false;
             s.marker = Marker::diamond;
             s.point_size = 9;
-            s.label = peer.name + " (peer simulation)";
+            s.label = name + " (peer)";
             s.data = {{*peer.core_s}, {peer.error}};
         } else {
             s.style = Style::dashed;
-            s.label = peer.name + " (peer simulation, cost not stated)";
+            s.label = name + " (peer, cost not stated)";
             s.data = {{costs.begin, costs.end}, {peer.error, peer.error}};
         }
         figure.series.push_back(std::move(s));

@@ -89,7 +89,7 @@ Figure scatter_figure(const Points& points, const ClassStatistics* statistics) {
         s.marker = static_cast<Marker>(place % 4);
         s.filled = key.second;
         s.point_size = 8;
-        s.label = key.first + (key.second ? "" : ", simulations and statements by others (not counted)");
+        s.label = key.first + (key.second ? "" : ", by others, not counted");
         figure.series.push_back(std::move(s));
     }
     return figure;
