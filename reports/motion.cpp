@@ -82,6 +82,16 @@ Figure body_figure(const Runs& finest, const std::string& name) {
     return figure;
 }
 
+/// The series of a body that a reader looks for: not the work, impulses and drives behind them.
+bool of_interest(const std::string& name) {
+    static const std::set<std::string> names{
+        "body_x",       "body_y",       "body_angle",  "body_velocity_x",     "body_velocity_y",
+        "body_force_x", "body_force_y", "body_torque", "body_acceleration_y", "body_angular_velocity"};
+    const std::size_t suffix = name.find_last_not_of("0123456789");
+    const bool numbered = suffix + 1 < name.size() && name[suffix] == '_';
+    return names.count(numbered ? name.substr(0, suffix) : name) != 0;
+}
+
 bool compared(const Runs& runs, const std::string& series) {
     return std::any_of(runs.begin(), runs.end(), [&](const RunSummary* run) {
         return std::any_of(run->comparisons.begin(), run->comparisons.end(),
@@ -96,8 +106,7 @@ std::vector<Figure> body_figures(const Runs& runs) {
     std::set<std::string> names;
     for (const RunSummary* run : finest) {
         for (const auto& [name, series] : run->record.series) {
-            if (name.rfind("body_", 0) == 0 && series.columns() == 1 && !compared(runs, name))
-                names.insert(name);
+            if (of_interest(name) && series.columns() == 1 && !compared(runs, name)) names.insert(name);
         }
     }
     std::vector<Figure> figures;

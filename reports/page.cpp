@@ -28,8 +28,11 @@ std::string unique(std::map<std::string, std::string>& names, const std::string&
 
 }  // namespace
 
-Page::Page(std::filesystem::path directory, std::string plotly)
-    : figures_(std::move(directory) / "figures"), plotly_(std::move(plotly)), gnuplot_(gnuplot_found()) {
+Page::Page(std::filesystem::path directory, std::string plotly, std::string stamp)
+    : figures_(std::move(directory) / "figures"),
+      plotly_(std::move(plotly)),
+      stamp_(std::move(stamp)),
+      gnuplot_(gnuplot_found()) {
     make_directories(figures_);
 }
 
@@ -59,6 +62,7 @@ std::string Page::static_drawing(const Figure& figure) {
 
 std::string Page::figure(Figure figure) {
     figure.name = unique(names_, slug(figure.name), figure.title);
+    figure.stamp = stamp_;
     const std::string csv = figure.name + ".csv";
     atomic_write(figures_ / csv, figure_csv(figure));
     files_.insert(csv);
@@ -75,7 +79,9 @@ std::string Page::figure(Figure figure) {
     html += "<p class=\"caption\">" + escape(figure.caption) + " Files: ";
     if (files_.count(figure.name + ".svg") != 0)
         html += fmt::format("<a href=\"figures/{0}.svg\">{0}.svg</a>, ", figure.name);
-    return html + fmt::format("<a href=\"figures/{0}\">{0}</a></p></figure>\n", csv);
+    html += fmt::format("<a href=\"figures/{0}\">{0}</a>", csv);
+    if (!stamp_.empty()) html += fmt::format(". <span class=\"stamp\">{}</span>", escape(stamp_));
+    return html + "</p></figure>\n";
 }
 
 void Page::add_figures(const std::vector<Figure>& figures) {

@@ -15,8 +15,8 @@ namespace wetdeck::report {
 
 class Page {
   public:
-    /// Figures go to DIR/figures; `plotly` is the library's text or empty.
-    Page(std::filesystem::path directory, std::string plotly);
+    /// Figures go to DIR/figures; `plotly` is the library's text or empty; `stamp` stands on every drawing.
+    Page(std::filesystem::path directory, std::string plotly, std::string stamp);
 
     /// Opens a section: level 2 is a chapter, 3 a section of it. Both are in the table of contents. The
     /// anchor is "section-", then the scope, if there is one, and the title.
@@ -46,6 +46,7 @@ class Page {
 
     std::filesystem::path figures_;
     std::string plotly_;
+    std::string stamp_;
     bool gnuplot_;
     std::string body_;
     std::string contents_;

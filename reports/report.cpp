@@ -9,7 +9,7 @@ namespace wetdeck::report {
 
 void write_report(const std::filesystem::path& directory, const Summary& summary,
                   const ReportInputs& inputs) {
-    Page page(directory, inputs.plotly);
+    Page page(directory, inputs.plotly, stamp_of(summary));
     add_failures(page, summary);
     add_front_part(page, summary);
     add_stress_part(page, summary);

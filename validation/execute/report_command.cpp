@@ -4,15 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "reports/report.hpp"
 #include "reports/selection.hpp"
 #include "solver/core/errors.hpp"
 #include "validation/execute/pictures.hpp"
+#include "validation/execute/sketch.hpp"
 #include "validation/metrics/analysis.hpp"
 #include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/summary_json.hpp"
@@ -25,30 +27,58 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<RunSummary> read_runs(const fs::path& directory) {
-    std::vector<fs::path> files;
+/// Every run.h5 below a directory, in a fixed order.
+std::vector<RunSummary> runs_below(const fs::path& directory, const fs::path& root) {
+    std::vector<RunSummary> runs;
     std::error_code error;
-    if (!fs::is_directory(directory, error))
-        throw InputError(fmt::format("{}: no such directory", directory.string()));
+    if (!fs::is_directory(directory, error)) return runs;
     for (const auto& entry :
          fs::recursive_directory_iterator(directory, fs::directory_options::skip_permission_denied)) {
-        if (entry.path().filename() == "run.h5" && entry.is_regular_file()) files.push_back(entry.path());
-    }
-    if (files.empty())
-        throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run",
-                                     directory.string()));
-    std::vector<RunSummary> runs;
-    for (const fs::path& file : files) {
+        if (entry.path().filename() != "run.h5" || !entry.is_regular_file()) continue;
         RunSummary run;
-        run.record = read_run(file);
-        run.directory = fs::relative(file.parent_path(), directory).string();
+        run.record = read_run(entry.path());
+        run.directory = fs::relative(entry.path().parent_path(), root).string();
         runs.push_back(std::move(run));
     }
     std::sort(runs.begin(), runs.end(), [](const RunSummary& a, const RunSummary& b) {
-        return std::tuple(a.record.scene, a.record.variant, -a.record.particle_spacing) <
-               std::tuple(b.record.scene, b.record.variant, -b.record.particle_spacing);
+        return std::tuple(a.record.scene, a.record.variant, -a.record.particle_spacing, a.directory) <
+               std::tuple(b.record.scene, b.record.variant, -b.record.particle_spacing, b.directory);
     });
     return runs;
+}
+
+bool of_sensitivity_study(const RunSummary& run) {
+    return *fs::path(run.directory).begin() == "sensitivity";
+}
+
+/// What every stored run of the directory is: a row of the tier, or of the sensitivity study.
+struct StoredRuns {
+    std::vector<RunSummary> runs;
+    std::vector<SensitivityRun> varied;
+};
+
+StoredRuns read_runs(const fs::path& directory) {
+    std::error_code error;
+    if (!fs::is_directory(directory, error))
+        throw InputError(fmt::format("{}: no such directory", directory.string()));
+    StoredRuns stored;
+    for (RunSummary& run : runs_below(directory, directory)) {
+        if (!of_sensitivity_study(run)) {
+            stored.runs.push_back(std::move(run));
+            continue;
+        }
+        const std::string assignment = run.record.choices["overrides"];
+        const std::size_t equals = assignment.find('=');
+        if (equals == std::string::npos)
+            throw DataError(fmt::format("{}: a run of the sensitivity study without the key it varies",
+                                        (directory / run.directory).string()));
+        stored.varied.push_back({assignment.substr(0, equals),
+                                 std::strtod(assignment.c_str() + equals + 1, nullptr), std::move(run)});
+    }
+    if (stored.runs.empty())
+        throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run",
+                                     directory.string()));
+    return stored;
 }
 
 /// A scene as the run saw it. Later runs of the same scene speak for it.
@@ -77,7 +107,7 @@ ProgramInfo program_info(const std::vector<RunSummary>& runs) {
     return info;
 }
 
-void read_suite_plan(const fs::path& directory, Summary& summary) {
+void read_suite_plan(const fs::path& directory, const std::set<std::string>& present, Summary& summary) {
     std::ifstream in(directory / "suite.json");
     if (!in) {
         summary.tier = "single runs";
@@ -91,9 +121,7 @@ void read_suite_plan(const fs::path& directory, Summary& summary) {
     summary.tier = plan.at("tier").get<std::string>();
     for (const auto& planned : plan.at("runs")) {
         const std::string path = planned.get<std::string>();
-        const bool there = std::any_of(summary.runs.begin(), summary.runs.end(),
-                                       [&](const RunSummary& run) { return run.directory == path; });
-        if (!there) summary.missing.push_back(path);
+        if (present.count(path) == 0) summary.missing.push_back(path);
     }
 }
 
@@ -116,16 +144,25 @@ void write_suite_plan(const fs::path& directory, const std::string& tier,
     atomic_write(directory / "suite.json", plan.dump(2) + "\n");
 }
 
-Summary make_report(const fs::path& directory) {
-    std::vector<RunSummary> runs = read_runs(directory);
-    const std::map<std::string, Scene> scenes = scenes_of(runs);
-    const ProgramInfo program = program_info(runs);
+Summary analyse_directory(const fs::path& directory) {
+    StoredRuns stored = read_runs(directory);
+    std::set<std::string> present;
+    for (const RunSummary& run : stored.runs) present.insert(run.directory);
+    for (const SensitivityRun& varied : stored.varied) present.insert(varied.run.directory);
     std::vector<AnalysisSpec> specifications;
-    for (const auto& [name, scene] : scenes) specifications.push_back(scene.analysis);
-    Summary summary = analyse(specifications, std::move(runs), reference_directory());
-    read_suite_plan(directory, summary);
+    for (const auto& [name, scene] : scenes_of(stored.runs)) specifications.push_back(scene.analysis);
+    Summary summary =
+        analyse(specifications, std::move(stored.runs), reference_directory(), std::move(stored.varied));
+    read_suite_plan(directory, present, summary);
     summary.ablation = read_ablation(directory);
     summary.stress = read_stress(directory);
+    return summary;
+}
+
+Summary make_report(const fs::path& directory) {
+    Summary summary = analyse_directory(directory);
+    const std::map<std::string, Scene> scenes = scenes_of(summary.runs);
+    const ProgramInfo program = program_info(summary.runs);
 
     report::ReportInputs inputs;
     inputs.program = {{"version", program.version},

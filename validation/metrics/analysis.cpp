@@ -59,7 +59,7 @@ void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
         for (const RunSummary& run : summary.runs) {
             if (run.record.scene != spec.scene || run.record.status != RunStatus::ok) continue;
             SeriesCurve series = series_curve(run.record, comparison.quantity, comparison.x_scale,
-                                              comparison.y_scale, comparison.y_offset);
+                                              comparison.y_scale, comparison.y_offset, comparison.x_offset);
             if (series.problem.empty())
                 variants[run.record.variant][run.record.particle_spacing] = std::move(series.curve);
         }

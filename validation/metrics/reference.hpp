@@ -37,6 +37,9 @@ struct Reference {
 /// expected".
 Reference load_reference(const std::filesystem::path& path);
 
+/// The same hash without reading further; empty if there is no such file.
+std::string file_hash(const std::filesystem::path& path);
+
 /// The column of that name; throws DataError, naming the columns there are.
 const Column& find_column(const Reference& reference, const std::string& name);
 

@@ -24,6 +24,10 @@ const std::map<std::string, std::string>& classes_by_unit() {
     return classes;
 }
 
+bool is_integral(const std::string& metric) {
+    return metric == "integral" || metric == "first_peak_integral";
+}
+
 bool is_time(const std::string& metric) {
     return metric == "time_of_maximum" || metric == "first_crossing";
 }
@@ -53,6 +57,19 @@ ScatterPoint point_of(const RunSummary& run) {
     return point;
 }
 
+/// SI units per unit of the quantity.
+struct SiScale {
+    double factor;
+    std::string unit;
+};
+
+SiScale si_scale(const QuantitySpec& spec, const std::string& unit) {
+    if (is_time(spec.metric)) return {spec.x_scale, "s"};
+    if (spec.metric == "slope") return {spec.y_scale / spec.x_scale, unit + "/s"};
+    if (is_integral(spec.metric)) return {spec.y_scale * spec.x_scale, unit == "N/m" ? "N s/m" : unit + " s"};
+    return {spec.y_scale, unit};
+}
+
 std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSummary& run) {
     const auto result = std::find_if(run.quantities.begin(), run.quantities.end(),
                                      [&](const QuantityResult& q) { return q.name == spec.name; });
@@ -64,9 +81,9 @@ std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSu
     ScatterPoint point = point_of(run);
     point.quantity = spec.name;
     point.quantity_class = quantity_class(spec.metric, series->unit);
-    const bool slope = spec.metric == "slope";
-    point.unit = is_time(spec.metric) ? "s" : (slope ? series->unit + "/s" : series->unit);
-    const double scale = is_time(spec.metric) ? spec.x_scale : spec.y_scale / (slope ? spec.x_scale : 1);
+    const SiScale si = si_scale(spec, series->unit);
+    const double scale = si.factor;
+    point.unit = si.unit;
     point.expected = *spec.expected * scale;
     point.predicted = *result->value * scale;
     point.against = spec.expected_source;
@@ -108,8 +125,10 @@ std::string reason_to_drop(const ScatterPoint& point) {
 std::string quantity_class(const std::string& metric, const std::string& series_unit) {
     if (is_time(metric)) return "time";
     if (metric == "slope" && series_unit == "m") return "velocity";
+    if (is_integral(metric) && series_unit == "N/m") return "impulse";
     const auto found = classes_by_unit().find(series_unit);
     const std::string name = found == classes_by_unit().end() ? "other" : found->second;
+    if (is_integral(metric)) return "integral of " + name;
     return metric == "slope" ? "slope of " + name : name;
 }
 

@@ -14,6 +14,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
@@ -138,6 +139,12 @@ std::string vtp_bytes(const FieldFrame& frame) {
     time->SetName("TimeValue");
     time->InsertNextValue(frame.time);
     data->GetFieldData()->AddArray(time);
+    if (!frame.provenance.empty()) {
+        vtkNew<vtkStringArray> provenance;
+        provenance->SetName("Provenance");
+        provenance->InsertNextValue(frame.provenance);
+        data->GetFieldData()->AddArray(provenance);
+    }
 
     vtkNew<vtkXMLPolyDataWriter> writer;
     vtkNew<ErrorObserver> errors;
