@@ -90,6 +90,20 @@ std::map<std::string, Scene> scenes_of(const std::vector<RunSummary>& runs) {
     return scenes;
 }
 
+/// What each variant asks of its runs, as the latest of them saw it.
+std::vector<AnalysisSpec> specifications_of(const std::vector<RunSummary>& runs) {
+    std::map<std::pair<std::string, std::string>, AnalysisSpec> specifications;
+    for (const RunSummary& run : runs) {
+        const RunRecord& r = run.record;
+        AnalysisSpec spec = parse_scene(r.scene_text, r.scene_path, r.variant).analysis;
+        spec.variant = r.variant;
+        specifications.insert_or_assign({r.scene, r.variant}, std::move(spec));
+    }
+    std::vector<AnalysisSpec> all;
+    for (auto& entry : specifications) all.push_back(std::move(entry.second));
+    return all;
+}
+
 ProgramInfo program_info(const std::vector<RunSummary>& runs) {
     const auto& c = runs.front().record.choices;
     const auto get = [&c](const char* key) {

@@ -169,6 +169,7 @@ class Run {
         fields_.emplace(options_.directory, simulation_.time());
         next_frame_ = static_cast<std::size_t>(from.number("next_frame"));
         last_good_ = frame_in(from).x.empty() ? frame_of(simulation_, line()) : frame_in(from);
+        last_good_.provenance = line();
         wall_before_ = from.number("wall_s");
         core_before_ = from.number("core_s");
         if (from.text("computed_by") != computed_by(provenance_))

@@ -10,7 +10,8 @@
 
 namespace wetdeck {
 
-/// Evaluates every run (record and directory filled in by the caller) against the specification of its scene:
+/// Evaluates every run (record and directory filled in by the caller) against the specification of its scene,
+/// of which there may be one for each variant:
 /// quantities, comparisons, energy and momentum error; then convergence per scene, variant and quantity over
 /// the runs that ended well, and error against cost for the scenes that name an error quantity. References
 /// are read from reference_directory/<scene>/. A run whose scene has no specification keeps its conservation

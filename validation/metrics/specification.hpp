@@ -78,6 +78,7 @@ struct SensitivitySpec {
 /// The part of a scene that analysis and report need.
 struct AnalysisSpec {
     std::string scene;
+    std::string variant;  ///< that it speaks for; empty: all variants
     std::string title;
     std::string purpose;
     std::string source;

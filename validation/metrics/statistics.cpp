@@ -42,8 +42,7 @@ const RunSummary* speaker(const AnalysisSpec& scene, const std::vector<RunSummar
     const RunSummary* finest = nullptr;
     for (const RunSummary& run : runs) {
         const RunRecord& r = run.record;
-        if (r.scene != scene.scene || r.variant != scene.default_variant || r.status != RunStatus::ok)
-            continue;
+        if (!applies(scene, r) || r.variant != scene.default_variant || r.status != RunStatus::ok) continue;
         if (finest == nullptr || r.particle_spacing < finest->record.particle_spacing) finest = &run;
     }
     return finest;

@@ -180,6 +180,11 @@ struct StressRow {
     std::string note;
 };
 
+/// Whether a specification speaks for a run.
+inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {
+    return record.scene == spec.scene && (spec.variant.empty() || record.variant == spec.variant);
+}
+
 struct Summary {
     std::string tier;
     std::vector<AnalysisSpec> scenes;

@@ -108,7 +108,7 @@ using Sound = std::vector<const RunSummary*>;  // by spacing, coarse to fine
 std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     std::map<std::string, Sound> variants;
     for (const RunSummary& run : runs) {
-        if (run.record.scene == scene.scene && run.record.status == RunStatus::ok)
+        if (applies(scene, run.record) && run.record.status == RunStatus::ok)
             variants[run.record.variant].push_back(&run);
     }
     for (auto& entry : variants) {
@@ -186,7 +186,7 @@ std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
     const auto run_at = [&](const std::string& key, double value) -> const SensitivityRun* {
         for (const SensitivityRun& each : runs) {
             const RunRecord& record = each.run.record;
-            if (record.scene == scene.scene && each.key == key && each.value == value &&
+            if (applies(scene, record) && each.key == key && each.value == value &&
                 record.status == RunStatus::ok)
                 return &each;
         }

@@ -16,6 +16,7 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
+#include <vtkVariant.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 #include <vtkXMLPolyDataReader.h>
@@ -182,6 +183,9 @@ FieldFrame read_frame(const std::filesystem::path& path) {
     }
     FieldFrame frame;
     frame.time = time->GetTuple1(0);
+    vtkAbstractArray* provenance = data->GetFieldData()->GetAbstractArray("Provenance");
+    if (provenance != nullptr && provenance->GetNumberOfValues() == 1)
+        frame.provenance = provenance->GetVariantValue(0).ToString();
     read_points(data, frame, path);
     frame.pressure = read_doubles(data, "pressure", path);
     frame.density = read_doubles(data, "density", path);

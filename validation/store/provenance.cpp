@@ -37,8 +37,8 @@ std::string host_kind() {
 }  // namespace
 
 std::string Provenance::line() const {
-    return fmt::format("wetdeck {}, commit {}, {} {}, {}, {}, {} threads, {}", program_version, commit,
-                       compiler, compiler_flags, simd, cpu, threads, start_time);
+    return fmt::format("wetdeck {}, commit {}, {} {}, {}, {}, {} threads", program_version, commit, compiler,
+                       compiler_flags, simd, cpu, threads);
 }
 
 void Provenance::add_to(std::map<std::string, std::string>& choices) const {
