@@ -163,8 +163,7 @@ Summary analyse_directory(const fs::path& directory) {
     std::set<std::string> present;
     for (const RunSummary& run : stored.runs) present.insert(run.directory);
     for (const SensitivityRun& varied : stored.varied) present.insert(varied.run.directory);
-    std::vector<AnalysisSpec> specifications;
-    for (const auto& [name, scene] : scenes_of(stored.runs)) specifications.push_back(scene.analysis);
+    const std::vector<AnalysisSpec> specifications = specifications_of(stored.runs);
     Summary summary =
         analyse(specifications, std::move(stored.runs), reference_directory(), std::move(stored.varied));
     read_suite_plan(directory, present, summary);
