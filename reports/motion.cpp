@@ -45,7 +45,7 @@ Figure profile_figure(const RunSummary& run, const std::string& name, const Seri
     Figure figure;
     figure.name = fmt::format("{}-{}-{}", run.record.scene, run.record.variant, name);
     figure.title = fmt::format("{}: {}", run_name(run), name);
-    figure.caption = fmt::format("{} Revision {}.", series.description, revision_of(run));
+    figure.caption = fmt::format("{}. Revision {}.", series.description, revision_of(run));
     figure.x = {"place along it", "m", false, {}};
     figure.y = {name, series.unit, false, {}};
     const std::vector<std::size_t> rows = shown_rows(series);
@@ -71,7 +71,7 @@ Figure body_figure(const Runs& finest, const std::string& name) {
         if (found == finest[v]->record.series.end() || !sound(found->second) || constant(found->second))
             continue;
         figure.y = {name, found->second.unit, false, {}};
-        figure.caption = fmt::format("{} Revision {}.", found->second.description, revision_of(*finest[v]));
+        figure.caption = fmt::format("{}. Revision {}.", found->second.description, revision_of(*finest[v]));
         PlotSeries s;
         s.label = fmt::format("{}, dx = {}", finest[v]->record.variant,
                               spacing_text(finest[v]->record.particle_spacing));
@@ -90,6 +90,29 @@ bool of_interest(const std::string& name) {
     const std::size_t suffix = name.find_last_not_of("0123456789");
     const bool numbered = suffix + 1 < name.size() && name[suffix] == '_';
     return names.count(numbered ? name.substr(0, suffix) : name) != 0;
+}
+
+/// One series of the first variant by spacing, where no comparison shows it.
+Figure body_spacing_figure(const Runs& runs_of_variant, const std::string& name) {
+    Figure figure;
+    const RunRecord& finest = runs_of_variant.back()->record;
+    figure.name = fmt::format("{}-{}-{}", finest.scene, finest.variant, name);
+    figure.title = fmt::format("{}, {}: {} by spacing", finest.scene, finest.variant, name);
+    figure.x = {"time", "s", false, {}};
+    for (std::size_t k = 0; k < runs_of_variant.size(); ++k) {
+        const RunRecord& record = runs_of_variant[k]->record;
+        const auto found = record.series.find(name);
+        if (found == record.series.end() || !sound(found->second) || constant(found->second)) continue;
+        figure.y = {name, found->second.unit, false, {}};
+        figure.caption =
+            fmt::format("{}. Revision {}.", found->second.description, revision_of(*runs_of_variant[k]));
+        PlotSeries s;
+        s.label = "dx = " + spacing_text(record.particle_spacing);
+        s.data = {found->second.time, found->second.value};
+        s.colour = run_colour(0, k, runs_of_variant.size());
+        figure.series.push_back(std::move(s));
+    }
+    return figure;
 }
 
 bool compared(const Runs& runs, const std::string& series) {
@@ -112,6 +135,12 @@ std::vector<Figure> body_figures(const Runs& runs) {
     std::vector<Figure> figures;
     for (const std::string& name : names) {
         Figure figure = body_figure(finest, name);
+        if (!figure.series.empty()) figures.push_back(std::move(figure));
+    }
+    const Runs first = with_variant(runs, runs.front()->record.variant);
+    for (const char* name : {"body_x", "body_y", "body_force_y", "body_acceleration_y"}) {
+        if (names.count(name) == 0 || first.size() < 2) continue;
+        Figure figure = body_spacing_figure(first, name);
         if (!figure.series.empty()) figures.push_back(std::move(figure));
     }
     return figures;

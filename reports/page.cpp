@@ -47,6 +47,15 @@ void Page::anchor(std::string_view name, std::string_view title) {
     body_ += fmt::format("<a id=\"{}\"></a>\n", unique(names_, slug(name), title));
 }
 
+std::vector<std::string> Page::anchors_like(const std::string& name) const {
+    std::vector<std::string> out;
+    for (auto each = names_.lower_bound(name); each != names_.end(); ++each) {
+        if (each->first.rfind(name, 0) != 0) break;
+        if (each->first.size() == name.size() || each->first[name.size()] == '-') out.push_back(each->first);
+    }
+    return out;
+}
+
 std::string Page::static_drawing(const Figure& figure) {
     if (!gnuplot_) return draws_interactive() ? "" : paragraph("Not drawn: gnuplot was not found.", "notice");
     const std::filesystem::path path = figures_ / (figure.name + ".svg");

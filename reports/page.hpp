@@ -23,8 +23,9 @@ class Page {
     void section(int level, std::string_view title, std::string_view scope = "");
     /// An anchor that is no section or figure.
     void anchor(std::string_view name, std::string_view title);
-    /// Whether there is a section, figure or other anchor of that name, and what it shows.
-    bool has(const std::string& anchor) const { return names_.count(anchor) != 0; }
+    /// The sections, figures and other anchors of that name, alone or with words behind it ("-filtered"), and
+    /// what each shows.
+    std::vector<std::string> anchors_like(const std::string& name) const;
     const std::string& title_of(const std::string& anchor) const { return names_.at(anchor); }
     /// Safe markup.
     void add(const std::string& html) { body_ += html; }

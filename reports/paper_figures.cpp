@@ -51,7 +51,7 @@ constexpr std::array<PaperFigure, 22> paper_figures{{
     {7,
      "dam break, change of the total energy",
      "dam_break",
-     {"dam-break-two-phase-energy-change", "dam-break-two-phase-energy"},
+     {"dam-break-two-phase-energy-change"},
      "The energy curve of Cao et al. (2018) has not been found."},
     {8, "sinking rectangle, set-up", "sinking_rectangle", {"set-up-sinking-rectangle"}, sketch_only},
     {9,
@@ -74,7 +74,7 @@ constexpr std::array<PaperFigure, 22> paper_figures{{
     {14,
      "wedge, force and falling speed",
      "wedge",
-     {"wedge-two-phase-body-force-y", "wedge-two-phase-body-velocity-y", "wedge-body-velocity-y"},
+     {"wedge-variants-body-force-y", "wedge-body-force-y", "wedge-body-velocity-y"},
      ""},
     {15, "wedge, force by spacing", "wedge", {"wedge-two-phase-body-force-y"}, "One line per spacing."},
     {16, "flat plate, set-up", "flat_plate", {"set-up-flat-plate"}, sketch_only},
@@ -131,9 +131,11 @@ void add_paper_part(Page& page, const Summary& summary) {
     for (const PaperFigure& figure : paper_figures) {
         std::string places;
         for (const char* place : figure.places) {
-            if (place == nullptr || !page.has(place)) continue;
-            places += fmt::format("{}<a href=\"#{}\">{}</a>", places.empty() ? "" : "<br>", place,
-                                  escape(page.title_of(place)));
+            if (place == nullptr) continue;
+            for (const std::string& anchor : page.anchors_like(place)) {
+                places += fmt::format("{}<a href=\"#{}\">{}</a>", places.empty() ? "" : "<br>", anchor,
+                                      escape(page.title_of(anchor)));
+            }
         }
         const std::string absent = places.empty() ? reason_for_absence(summary, figure.scene) : "";
         table.add({text(std::to_string(figure.number)), text(figure.shows),

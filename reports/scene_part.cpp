@@ -56,6 +56,7 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
     add_by_variant(page, runs,
                    [&](const Runs& some, std::size_t v) { return comparison_figures(scene, some, v); });
     page.add_figures(variant_figures(scene, runs));
+    if (scene.comparisons.empty()) page.add(paragraph("The scene names no curve to compare with.", "soft"));
     page.section(3, "Errors against references", scene.scene);
     page.add(comparison_tables(runs));
     page.add(paragraph(

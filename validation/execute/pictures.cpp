@@ -79,7 +79,7 @@ std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord&
     for (const FrameEntry* nearest : shown_frames(scene, record, frames)) {
         report::Picture picture;
         picture.title =
-            fmt::format("{}, {}, dx {} m", scene.analysis.title, record.variant, record.particle_spacing);
+            fmt::format("{}, {}, dx {:.4g} m", scene.analysis.title, record.variant, record.particle_spacing);
         picture.time = nearest->time;
         if (scale) picture.scaled_time = nearest->time / *scale;
         picture.png = render_png(read_frame(nearest->path), options);
