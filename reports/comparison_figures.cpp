@@ -70,19 +70,20 @@ PlotSeries reference_series(const ComparisonResult& c, std::size_t place) {
     s.point_size = 5;
     if (c.kind == "experiment") {
         s.style = Style::points;
-        s.label = reference_name(c) + " (experiment)";
+        s.label = reference_name(c.title, c.reference) + " (experiment)";
     } else if (c.kind == "analytic") {
         s.style = Style::dashed;
-        s.label = reference_name(c) + " (analytic)";
+        s.label = reference_name(c.title, c.reference) + " (analytic)";
     } else if (c.kind == "peer-simulation") {
         s.colour = greys[place % greys.size()];
         s.width = 1.1;
-        s.label = reference_name(c) + " (peer simulation)";
+        s.label = reference_name(c.title, c.reference) + " (peer simulation)";
     } else {
         s.style = Style::points;
         s.colour = "#8e44ad";
         s.filled = false;
-        s.label = reference_name(c) + " (" + (c.kind.empty() ? "unknown kind" : c.kind) + ")";
+        s.label =
+            reference_name(c.title, c.reference) + " (" + (c.kind.empty() ? "unknown kind" : c.kind) + ")";
     }
     return s;
 }
@@ -110,7 +111,7 @@ std::vector<PlotSeries> with_references(const Group& group, std::vector<PlotSeri
             } else {
                 spread.style = Style::band;
                 spread.colour = "#6b7681";
-                spread.label = reference_name(*c) + ", one standard uncertainty";
+                spread.label = reference_name(c->title, c->reference) + ", one standard uncertainty";
                 behind.push_back(std::move(spread));
             }
         }
@@ -138,7 +139,7 @@ std::string error_text(const Group& group) {
     std::string out;
     for (const ComparisonResult* c : group) {
         if (!c->available) continue;
-        out += fmt::format("{}{} {}", out.empty() ? "" : "; ", reference_name(*c),
+        out += fmt::format("{}{} {}", out.empty() ? "" : "; ", reference_name(c->title, c->reference),
                            number_with_unit(c->nrmse, "-"));
     }
     return out;

@@ -101,13 +101,16 @@ Figure change_figure(const Runs& runs, std::size_t variant) {
     Figure figure;
     figure.name = fmt::format("{}-{}-energy-change", record.scene, record.variant);
     figure.title = fmt::format("{}, {}: change of the total energy", record.scene, record.variant);
+    const bool bodies = record.series.count("body_work") != 0;
     figure.caption = fmt::format(
-        "Revision {}. dE = total energy minus its initial value, over the initial potential energy, as "
-        "energy "
-        "loss is shown by Cao et al. (2018). Water loses energy where it hits a wall or closes upon itself: "
-        "for "
-        "a dam break two bends are expected, at the impact on the wall and at the closure of the pocket.",
-        revision_of(*runs.back()));
+        "Revision {}. dE = total energy of the fluid minus its initial value, over the initial potential "
+        "energy. {}",
+        revision_of(*runs.back()),
+        bodies
+            ? "The work of the bodies on the fluid is in it."
+            : "Water loses energy where it hits a wall or closes upon itself: for a dam break two bends are "
+              "expected, at the impact on the wall and at the closure of the pocket, as Cao et al. (2018) "
+              "show.");
     figure.x = {"time", "s", false, {}};
     figure.y = {"dE / Epot(0)", "-", false, {}};
     for (std::size_t k = 0; k < runs.size(); ++k) {

@@ -45,6 +45,7 @@ struct Figure {
     Axis x;
     Axis y;
     std::vector<PlotSeries> series;
+    std::string stamp;             ///< what made the numbers: a small line on the drawing
     std::optional<Window> shaded;  ///< interval of x where the metrics are taken
 };
 

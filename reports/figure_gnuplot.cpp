@@ -168,7 +168,7 @@ std::string canvas(const Figure& figure) {
     }
     const long columns = longest > 26 ? 1 : 2;
     const long rows = std::max(1L, (entries + columns - 1) / columns);
-    const long strip = 21 * rows + 6;  // [px]
+    const long strip = 21 * rows + (figure.stamp.empty() ? 6 : 18);  // [px]
     const auto height = static_cast<double>(370 + strip);
     return fmt::format(
         "set terminal svg size 620,{:.0f} dynamic enhanced font 'DejaVu Sans,12' background 'white'\n"
@@ -195,6 +195,11 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
             "set object rectangle from {:.9g},graph 0 to {:.9g},graph 1 behind fc rgb '#f3f1e6' fs solid "
             "noborder\n",
             begin, end);
+    }
+    if (!figure.stamp.empty()) {
+        out += fmt::format(
+            "set label {} at screen 0.99, screen 0.016 right noenhanced font ',7' tc rgb '#7b8791'\n",
+            quoted(figure.stamp));
     }
     out += point_labels(figure);
     std::string clauses;

@@ -151,6 +151,8 @@ void add_front_part(Page& page, const Summary& summary) {
     page.section(2, "Runs");
     page.add(runs_table(summary));
 
+    add_statistics_part(page, summary);
+
     page.section(2, "Speed against error");
     page.add(
         paragraph("Every point is a run, labelled with its spacing; lines join the spacings of a variant. "
@@ -163,6 +165,8 @@ void add_front_part(Page& page, const Summary& summary) {
     }
     page.add_figures(figures);
     if (figures.empty()) page.add(paragraph("No run has both a cost and an error.", "soft"));
+    page.add(cheapest_table(summary));
+    page.add(peer_points_table(summary));
 
     page.section(2, "Revisions");
     page.add(revisions_table(summary));

@@ -19,23 +19,41 @@ constexpr std::string_view content_policy =
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:";
 
 /// Adds -2, -3, ... to a name that is taken.
-std::string unique(std::set<std::string>& names, const std::string& wanted) {
+std::string unique(std::map<std::string, std::string>& names, const std::string& wanted,
+                   std::string_view title) {
     std::string name = wanted;
-    for (int i = 2; !names.insert(name).second; ++i) name = fmt::format("{}-{}", wanted, i);
+    for (int i = 2; !names.emplace(name, title).second; ++i) name = fmt::format("{}-{}", wanted, i);
     return name;
 }
 
 }  // namespace
 
-Page::Page(std::filesystem::path directory, std::string plotly)
-    : figures_(std::move(directory) / "figures"), plotly_(std::move(plotly)), gnuplot_(gnuplot_found()) {
+Page::Page(std::filesystem::path directory, std::string plotly, std::string stamp)
+    : figures_(std::move(directory) / "figures"),
+      plotly_(std::move(plotly)),
+      stamp_(std::move(stamp)),
+      gnuplot_(gnuplot_found()) {
     make_directories(figures_);
 }
 
-void Page::section(int level, std::string_view title) {
-    const std::string id = unique(names_, "section-" + slug(title));
+void Page::section(int level, std::string_view title, std::string_view scope) {
+    const std::string scoped = scope.empty() ? std::string(title) : fmt::format("{} {}", scope, title);
+    const std::string id = unique(names_, "section-" + slug(scoped), scoped);
     body_ += fmt::format("<h{0} id=\"{1}\">{2}</h{0}>\n", level, id, escape(title));
     contents_ += fmt::format("<a class=\"level{}\" href=\"#{}\">{}</a>\n", level, id, escape(title));
+}
+
+void Page::anchor(std::string_view name, std::string_view title) {
+    body_ += fmt::format("<a id=\"{}\"></a>\n", unique(names_, slug(name), title));
+}
+
+std::vector<std::string> Page::anchors_like(const std::string& name) const {
+    std::vector<std::string> out;
+    for (auto each = names_.lower_bound(name); each != names_.end(); ++each) {
+        if (each->first.rfind(name, 0) != 0) break;
+        if (each->first.size() == name.size() || each->first[name.size()] == '-') out.push_back(each->first);
+    }
+    return out;
 }
 
 std::string Page::static_drawing(const Figure& figure) {
@@ -52,7 +70,8 @@ std::string Page::static_drawing(const Figure& figure) {
 }
 
 std::string Page::figure(Figure figure) {
-    figure.name = unique(names_, slug(figure.name));
+    figure.name = unique(names_, slug(figure.name), figure.title);
+    figure.stamp = stamp_;
     const std::string csv = figure.name + ".csv";
     atomic_write(figures_ / csv, figure_csv(figure));
     files_.insert(csv);
@@ -69,7 +88,9 @@ std::string Page::figure(Figure figure) {
     html += "<p class=\"caption\">" + escape(figure.caption) + " Files: ";
     if (files_.count(figure.name + ".svg") != 0)
         html += fmt::format("<a href=\"figures/{0}.svg\">{0}.svg</a>, ", figure.name);
-    return html + fmt::format("<a href=\"figures/{0}\">{0}</a></p></figure>\n", csv);
+    html += fmt::format("<a href=\"figures/{0}\">{0}</a>", csv);
+    if (!stamp_.empty()) html += fmt::format(". <span class=\"stamp\">{}</span>", escape(stamp_));
+    return html + "</p></figure>\n";
 }
 
 void Page::add_figures(const std::vector<Figure>& figures) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,11 +15,18 @@ namespace wetdeck::report {
 
 class Page {
   public:
-    /// Figures go to DIR/figures; `plotly` is the library's text or empty.
-    Page(std::filesystem::path directory, std::string plotly);
+    /// Figures go to DIR/figures; `plotly` is the library's text or empty; `stamp` stands on every drawing.
+    Page(std::filesystem::path directory, std::string plotly, std::string stamp);
 
-    /// Opens a section: level 2 is a chapter, 3 a section of it. Both are in the table of contents.
-    void section(int level, std::string_view title);
+    /// Opens a section: level 2 is a chapter, 3 a section of it. Both are in the table of contents. The
+    /// anchor is "section-", then the scope, if there is one, and the title.
+    void section(int level, std::string_view title, std::string_view scope = "");
+    /// An anchor that is no section or figure.
+    void anchor(std::string_view name, std::string_view title);
+    /// The sections, figures and other anchors of that name, alone or with words behind it ("-filtered"), and
+    /// what each shows.
+    std::vector<std::string> anchors_like(const std::string& name) const;
+    const std::string& title_of(const std::string& anchor) const { return names_.at(anchor); }
     /// Safe markup.
     void add(const std::string& html) { body_ += html; }
     /// Writes the figure's files and returns its markup.
@@ -39,11 +47,12 @@ class Page {
 
     std::filesystem::path figures_;
     std::string plotly_;
+    std::string stamp_;
     bool gnuplot_;
     std::string body_;
     std::string contents_;
-    std::set<std::string> names_;  ///< of figures and sections
-    std::set<std::string> files_;  ///< written to DIR/figures
+    std::map<std::string, std::string> names_;  ///< titles of figures and sections by anchor
+    std::set<std::string> files_;               ///< written to DIR/figures
 };
 
 }  // namespace wetdeck::report

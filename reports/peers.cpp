@@ -65,7 +65,7 @@ Peers pressures_of(const RunSummary& run) {
         const bool pressure = series != run.record.series.end() && series->second.unit == "Pa";
         if (!pressure || !c.available || !c.window) continue;
         if (c.kind == "experiment") {
-            add_once(peers.measured, reference_name(c), c.measured, *c.window);
+            add_once(peers.measured, reference_name(c.title, c.reference), c.measured, *c.window);
         } else if (c.kind == "peer-simulation") {
             add_once(peers.simulated, c.title, c.measured, *c.window);
         } else {
@@ -125,8 +125,8 @@ const RunSummary* speaker(const Runs& runs) {
 
 }  // namespace
 
-std::string reference_name(const ComparisonResult& c) {
-    std::string name = c.title;
+std::string reference_name(const std::string& title, const std::string& stem) {
+    std::string name = title;
     if (const std::size_t authors = authors_in(name); authors != std::string::npos) {
         name = name.substr(authors);
         if (name.size() > longest_name) name = name.substr(0, name.find(')') + 1);
@@ -134,7 +134,7 @@ std::string reference_name(const ComparisonResult& c) {
         name = name.substr(comma + 2);
     }
     if (name.size() > longest_name) name = name.substr(0, name.find(": "));
-    return name.empty() || name.size() > longest_name ? c.reference : name;
+    return name.empty() || name.size() > longest_name ? stem : name;
 }
 
 std::string peer_table(const Runs& runs) {

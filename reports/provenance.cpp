@@ -9,6 +9,22 @@
 #include "reports/parts.hpp"
 
 namespace wetdeck::report {
+namespace {
+
+/// The hash of the file as it is read now, and how many runs saw another one.
+std::string hash_text(const ComparisonResult& c, const Runs& runs) {
+    if (c.reference_hash.empty()) return "—";
+    std::size_t others = 0;
+    for (const RunSummary* run : runs) {
+        const auto recorded = run->record.choices.find("reference_hashes");
+        if (recorded == run->record.choices.end()) continue;
+        if (recorded->second.find(c.reference + " " + c.reference_hash) == std::string::npos) ++others;
+    }
+    return others == 0 ? c.reference_hash
+                       : fmt::format("{}; changed since {} of the runs were made", c.reference_hash, others);
+}
+
+}  // namespace
 
 std::string references_table(const Runs& runs) {
     std::map<std::string, const ComparisonResult*> references;
@@ -19,7 +35,7 @@ std::string references_table(const Runs& runs) {
             series[c.reference].insert(c.quantity);
         }
     }
-    Table table({"file", "source", "kind", "standard uncertainty", "compared with"});
+    Table table({"file", "source", "kind", "standard uncertainty", "compared with", "hash of the file"});
     for (const auto& [name, c] : references) {
         std::string quantities;
         for (const std::string& quantity : series[name])
@@ -27,7 +43,7 @@ std::string references_table(const Runs& runs) {
         const bool cited = c->available && !c->citation.empty();
         table.add({text(name), markup(escape(cited ? c->citation : fmt::format("— {}", c->note)), "wide"),
                    text(c->kind.empty() ? "—" : c->kind), text(c->available ? uncertainty_text(*c) : "—"),
-                   text(quantities)});
+                   text(quantities), text(hash_text(*c, runs))});
     }
     return table.empty() ? "" : "<h4>References</h4>\n" + table.html();
 }

@@ -13,7 +13,7 @@ void add_pictures(Page& page, const Runs& runs, const ReportInputs& inputs) {
     for (const RunSummary* run : runs) {
         const auto pictures = inputs.pictures.find(run->directory);
         if (pictures == inputs.pictures.end() || pictures->second.empty()) continue;
-        if (first) page.section(3, "Fields");
+        if (first) page.section(3, "Fields", run->record.scene);
         page.add(details(run_name(*run), picture_player(pictures->second), first));
         first = false;
     }
@@ -36,17 +36,18 @@ void add_set_up(Page& page, const AnalysisSpec& scene, const ReportInputs& input
     page.section(2, scene.title.empty() ? scene.scene : scene.title);
     if (!scene.purpose.empty()) page.add(paragraph(scene.purpose, "lead"));
     if (!scene.source.empty()) page.add(paragraph("Source: " + scene.source, "soft"));
+    page.anchor("set-up-" + scene.scene, "Set-up of " + scene.scene);
     const auto sketch = inputs.sketches.find(scene.scene);
     if (sketch != inputs.sketches.end()) {
         page.add(fmt::format("<img class=\"sketch\" alt=\"Set-up of the scene\" src=\"{}\">\n",
                              data_address("image/svg+xml", sketch->second)));
     }
-    page.section(3, "Deviations from the source");
+    page.section(3, "Deviations from the source", scene.scene);
     page.add(scene.deviations.empty() ? paragraph("None stated.", "soft") : deviations_table(scene));
 }
 
 void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
-    page.section(3, "Curves against references");
+    page.section(3, "Curves against references", scene.scene);
     page.add(
         paragraph("Simulations: solid lines, the finest spacing darkest. Exact solutions: dashed black. "
                   "Measurements: black points, with bars or a band of one standard uncertainty where it is "
@@ -55,7 +56,8 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
     add_by_variant(page, runs,
                    [&](const Runs& some, std::size_t v) { return comparison_figures(scene, some, v); });
     page.add_figures(variant_figures(scene, runs));
-    page.section(3, "Errors against references");
+    if (scene.comparisons.empty()) page.add(paragraph("The scene names no curve to compare with.", "soft"));
+    page.section(3, "Errors against references", scene.scene);
     page.add(comparison_tables(runs));
     page.add(paragraph(
         "nrmse: root mean square difference over the range of the reference, both within the interval. Peak: "
@@ -63,11 +65,12 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
         "simulated minus reference, in the units of the axis. Reference uncertainty: relative, one standard "
         "deviation; where it is unknown the difference cannot be called an error of the model.",
         "soft"));
+    page.add(agreement_table(runs));
     page.add(peer_table(runs));
 }
 
 void add_provenance(Page& page, const Runs& runs) {
-    page.section(3, "Provenance");
+    page.section(3, "Provenance", runs.front()->record.scene);
     page.add(references_table(runs));
     page.add("<h4>Runs</h4>\n" + provenance_table(runs));
     const RunRecord& record = finest_of_each(runs).front()->record;
@@ -91,23 +94,36 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
         page.add(paragraph("No run of this scene is in the directory.", "notice"));
         return;
     }
-    page.section(3, "Quantities of interest");
+    page.section(3, "Quantities of interest", scene.scene);
     page.add(quantities_table(runs));
     add_comparisons(page, scene, runs);
+    std::vector<Figure> uncompared = body_figures(runs);
+    for (Figure& profile : profile_figures(runs)) uncompared.push_back(std::move(profile));
+    if (!uncompared.empty()) page.section(3, "Loads and motion", scene.scene);
+    page.add_figures(uncompared);
 
-    page.section(3, "Convergence");
+    page.section(3, "Convergence", scene.scene);
     page.add(convergence_table(summary, scene));
     page.add_figures(convergence_figures(summary, scene));
+    page.add(curve_convergence_table(summary, scene));
+    page.add_figures(curve_convergence_figures(summary, scene));
 
-    page.section(3, "Conservation");
+    page.section(3, "Error and its uncertainty", scene.scene);
+    page.add(validation_table(summary, scene));
+    page.add(sensitivity_table(summary, scene));
+
+    page.section(3, "Ablation", scene.scene);
+    page.add(ablation_table(summary, scene));
+
+    page.section(3, "Conservation", scene.scene);
     page.add(conservation_table(runs));
     add_by_variant(page, runs, energy_figures);
 
-    page.section(3, "Cost");
+    page.section(3, "Cost", scene.scene);
     page.add(cost_table(runs));
     add_pictures(page, runs, inputs);
 
-    page.section(3, "Limits of validity");
+    page.section(3, "Limits of validity", scene.scene);
     std::string limits;
     for (const std::string& limit : scene.limits) limits += "<li>" + escape(limit) + "</li>\n";
     page.add(limits.empty() ? paragraph("None stated.", "soft") : "<ul>\n" + limits + "</ul>\n");

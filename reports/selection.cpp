@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <tuple>
 
 #include "reports/html.hpp"
@@ -100,6 +101,24 @@ std::string run_name(const RunSummary& run) {
 std::string revision_of(const RunSummary& run) {
     const auto entry = run.record.choices.find("commit");
     return entry == run.record.choices.end() ? "unknown" : entry->second;
+}
+
+std::string stamp_of(const Summary& summary) {
+    if (summary.runs.empty()) return "";
+    std::set<std::string> revisions;
+    for (const RunSummary& run : summary.runs) revisions.insert(revision_of(run));
+    std::string out = "revision";
+    std::size_t named = 0;
+    for (const std::string& revision : revisions) {
+        if (named++ == 3) return out + " and others";
+        out += (named == 1 ? " " : ", ") + revision;
+    }
+    const auto& choices = summary.runs.front().record.choices;
+    for (const char* key : {"compiler", "cpu"}) {
+        const auto found = choices.find(key);
+        if (found != choices.end()) out += "; " + found->second;
+    }
+    return out;
 }
 
 std::string run_colour(std::size_t variant, std::size_t spacing, std::size_t spacings) {

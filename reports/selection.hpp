@@ -31,6 +31,9 @@ std::string run_name(const RunSummary& run);
 /// The commit a run was made by, "unknown" if it does not say.
 std::string revision_of(const RunSummary& run);
 
+/// Every revision of the runs (the first three by name), with compiler and processor of the first.
+std::string stamp_of(const Summary& summary);
+
 /// One hue per variant; within it the finest spacing is the darkest.
 std::string run_colour(std::size_t variant, std::size_t spacing, std::size_t spacings);
 std::string variant_colour(std::size_t variant);

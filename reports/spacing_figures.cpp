@@ -27,6 +27,31 @@ void add_expected(Figure& figure, const AnalysisSpec& scene, const std::string& 
     }
 }
 
+/// Other codes: a hollow point where the cost is stated, a level line where it is not.
+void add_peers(Figure& figure, const Summary& summary, const std::string& scene) {
+    const Window costs = data_range(figure, true);
+    for (const PeerPoint& peer : summary.peers) {
+        if (peer.scene != scene || !(peer.error > 0)) continue;
+        const std::string name = reference_name(peer.name, peer.reference);
+        PlotSeries s;
+        s.colour = "#7d868e";
+        s.width = 1.1;
+        if (peer.core_s) {
+            s.style = Style::points;
+            s.filled = false;
+            s.marker = Marker::diamond;
+            s.point_size = 9;
+            s.label = name + " (peer)";
+            s.data = {{*peer.core_s}, {peer.error}};
+        } else {
+            s.style = Style::dashed;
+            s.label = name + " (peer, cost not stated)";
+            s.data = {{costs.begin, costs.end}, {peer.error, peer.error}};
+        }
+        figure.series.push_back(std::move(s));
+    }
+}
+
 std::string unit_of_quantity(const AnalysisSpec& scene, const std::string& quantity) {
     for (const QuantitySpec& spec : scene.quantities) {
         if (spec.name == quantity) return spec.unit;
@@ -117,6 +142,7 @@ Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
         figure.series.push_back(std::move(s));
     }
     if (!best.data.x.empty()) figure.series.push_back(std::move(best));
+    if (!figure.series.empty()) add_peers(figure, summary, scene.scene);
     return figure;
 }
 

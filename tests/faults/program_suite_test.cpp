@@ -140,3 +140,42 @@ TEST_CASE("a killed suite leaves no run going on", "[faults]") {
     killed.kill_parent();
     REQUIRE(killed.all_gone_within(seconds(5)));
 }
+
+TEST_CASE("a suite varies the inputs of the sensitivity study, and its report tells what they do",
+          "[faults]") {
+    const ScratchFolder folder;
+    const std::string study =
+        "[[sensitivity]]\nkey = \"model.background_pressure\"\nlow = 400.0\nhigh = 600.0\nuncertainty = "
+        "50.0\n"
+        "source = \"made up\"\n";
+    const auto scene =
+        put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.02]") + study);
+    REQUIRE(run_program(suite(scene, folder)).code == 0);
+    const std::string low = "out/sensitivity/small/model.background_pressure=400/run.h5";
+    const auto before = std::filesystem::last_write_time(folder / low);
+    const auto summary = nlohmann::json::parse(samples::bytes_of(folder / "out/summary.json"));
+    CHECK(summary["runs"].size() == 1);
+    CHECK(summary["missing"].empty());
+    REQUIRE(summary["sensitivity"].size() == 1);
+    CHECK(summary["sensitivity"][0]["quantity"] == "front_mean");
+    CHECK(summary["sensitivity"][0]["value_low"] != summary["sensitivity"][0]["value_high"]);
+    CHECK(read_run(folder / low).choices.at("overrides") == "model.background_pressure=400");
+    REQUIRE(run_program(suite(scene, folder)).code == 0);  // all are finished
+    CHECK(std::filesystem::last_write_time(folder / low) == before);
+}
+
+TEST_CASE("a baseline of a clean program is kept and compared; from a dirty one it is refused", "[faults]") {
+    const ScratchFolder folder;
+    const auto scene = put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.02]"));
+    REQUIRE(run_program(suite(scene, folder)).code == 0);
+    const std::string out = folder / "out", file = folder / "base.json";
+    const Outcome written = run_program({"baseline", "write", out, "--file", file});
+    const std::string commit = read_run(run_of(folder, "0.02")).choices.at("commit");
+    if (commit == "unknown" || commit.ends_with("-dirty")) {
+        CHECK(written.code == 2);
+        CHECK_THAT(written.err, Contains("a baseline needs runs of a committed program"));
+        return;
+    }
+    CHECK(written.code == 0);
+    CHECK(run_program({"baseline", "compare", out, "--file", file}).code == 0);
+}

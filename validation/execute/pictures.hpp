@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the report shows of a scene and of its fields.
+// What the report shows of the fields of a run.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +12,8 @@
 
 namespace wetdeck {
 
-/// The set-up drawn from the scene: tank, fluids, probes, with dimensions.
-std::string sketch_svg(const Scene& scene);
-
-/// The frames nearest to the scene's picture times (frames further away than 2 % of the run are left out):
-/// water by pressure, air by speed.
+/// The frames nearest to the scene's picture times (frames further away than 2 % of the run are left out),
+/// and of the default variant more of them, evenly spread: water by pressure, air by speed.
 std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
                                             const std::filesystem::path& run_directory);
 

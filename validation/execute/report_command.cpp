@@ -4,16 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "reports/report.hpp"
+#include "reports/selection.hpp"
 #include "solver/core/errors.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
 #include "validation/execute/pictures.hpp"
+#include "validation/execute/sketch.hpp"
 #include "validation/metrics/analysis.hpp"
+#include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/summary_json.hpp"
 #include "validation/metrics/verification_json.hpp"
 #include "validation/scene/scene.hpp"
@@ -26,30 +30,58 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<RunSummary> read_runs(const fs::path& directory) {
-    std::vector<fs::path> files;
+/// Every run.h5 below a directory, in a fixed order.
+std::vector<RunSummary> runs_below(const fs::path& directory, const fs::path& root) {
+    std::vector<RunSummary> runs;
     std::error_code error;
-    if (!fs::is_directory(directory, error))
-        throw InputError(fmt::format("{}: no such directory", directory.string()));
+    if (!fs::is_directory(directory, error)) return runs;
     for (const auto& entry :
          fs::recursive_directory_iterator(directory, fs::directory_options::skip_permission_denied)) {
-        if (entry.path().filename() == "run.h5" && entry.is_regular_file()) files.push_back(entry.path());
-    }
-    if (files.empty() && !fs::exists(directory / verification_file))
-        throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run",
-                                     directory.string()));
-    std::vector<RunSummary> runs;
-    for (const fs::path& file : files) {
+        if (entry.path().filename() != "run.h5" || !entry.is_regular_file()) continue;
         RunSummary run;
-        run.record = read_run(file);
-        run.directory = fs::relative(file.parent_path(), directory).string();
+        run.record = read_run(entry.path());
+        run.directory = fs::relative(entry.path().parent_path(), root).string();
         runs.push_back(std::move(run));
     }
     std::sort(runs.begin(), runs.end(), [](const RunSummary& a, const RunSummary& b) {
-        return std::tuple(a.record.scene, a.record.variant, -a.record.particle_spacing) <
-               std::tuple(b.record.scene, b.record.variant, -b.record.particle_spacing);
+        return std::tuple(a.record.scene, a.record.variant, -a.record.particle_spacing, a.directory) <
+               std::tuple(b.record.scene, b.record.variant, -b.record.particle_spacing, b.directory);
     });
     return runs;
+}
+
+bool of_sensitivity_study(const RunSummary& run) {
+    return *fs::path(run.directory).begin() == "sensitivity";
+}
+
+/// What every stored run of the directory is: a row of the tier, or of the sensitivity study.
+struct StoredRuns {
+    std::vector<RunSummary> runs;
+    std::vector<SensitivityRun> varied;
+};
+
+StoredRuns read_runs(const fs::path& directory) {
+    std::error_code error;
+    if (!fs::is_directory(directory, error))
+        throw InputError(fmt::format("{}: no such directory", directory.string()));
+    StoredRuns stored;
+    for (RunSummary& run : runs_below(directory, directory)) {
+        if (!of_sensitivity_study(run)) {
+            stored.runs.push_back(std::move(run));
+            continue;
+        }
+        const std::string assignment = run.record.choices["overrides"];
+        const std::size_t equals = assignment.find('=');
+        if (equals == std::string::npos)
+            throw DataError(fmt::format("{}: a run of the sensitivity study without the key it varies",
+                                        (directory / run.directory).string()));
+        stored.varied.push_back({assignment.substr(0, equals),
+                                 std::strtod(assignment.c_str() + equals + 1, nullptr), std::move(run)});
+    }
+    if (stored.runs.empty() && !fs::exists(directory / verification_file))
+        throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run",
+                                     directory.string()));
+    return stored;
 }
 
 /// A scene as the run saw it. Later runs of the same scene speak for it.
@@ -59,6 +91,20 @@ std::map<std::string, Scene> scenes_of(const std::vector<RunSummary>& runs) {
         scenes.insert_or_assign(run.record.scene, parse_scene(run.record.scene_text, run.record.scene_path));
     }
     return scenes;
+}
+
+/// What each variant asks of its runs, as the latest of them saw it.
+std::vector<AnalysisSpec> specifications_of(const std::vector<RunSummary>& runs) {
+    std::map<std::pair<std::string, std::string>, AnalysisSpec> specifications;
+    for (const RunSummary& run : runs) {
+        const RunRecord& r = run.record;
+        AnalysisSpec spec = parse_scene(r.scene_text, r.scene_path, r.variant).analysis;
+        spec.variant = r.variant;
+        specifications.insert_or_assign({r.scene, r.variant}, std::move(spec));
+    }
+    std::vector<AnalysisSpec> all;
+    for (auto& entry : specifications) all.push_back(std::move(entry.second));
+    return all;
 }
 
 ProgramInfo program_info(const std::vector<RunSummary>& runs) {
@@ -83,7 +129,7 @@ ProgramInfo program_info(const std::vector<RunSummary>& runs) {
     return info;
 }
 
-void read_suite_plan(const fs::path& directory, Summary& summary) {
+void read_suite_plan(const fs::path& directory, const std::set<std::string>& present, Summary& summary) {
     std::ifstream in(directory / "suite.json");
     if (!in) {
         summary.tier = summary.runs.empty() ? "verification" : "single runs";
@@ -97,10 +143,18 @@ void read_suite_plan(const fs::path& directory, Summary& summary) {
     summary.tier = plan.at("tier").get<std::string>();
     for (const auto& planned : plan.at("runs")) {
         const std::string path = planned.get<std::string>();
-        const bool there = std::any_of(summary.runs.begin(), summary.runs.end(),
-                                       [&](const RunSummary& run) { return run.directory == path; });
-        if (!there) summary.missing.push_back(path);
+        if (present.count(path) == 0) summary.missing.push_back(path);
     }
+}
+
+/// Of each scene and variant the finest.
+report::Runs finest_runs(const Summary& summary) {
+    report::Runs all;
+    for (const AnalysisSpec& scene : report::scenes_of(summary)) {
+        for (const RunSummary* run : report::finest_of_each(report::runs_of(summary, scene)))
+            all.push_back(run);
+    }
+    return all;
 }
 
 }  // namespace
@@ -112,15 +166,25 @@ void write_suite_plan(const fs::path& directory, const std::string& tier,
     atomic_write(directory / "suite.json", plan.dump(2) + "\n");
 }
 
-Summary make_report(const fs::path& directory) {
-    std::vector<RunSummary> runs = read_runs(directory);
-    const std::map<std::string, Scene> scenes = scenes_of(runs);
-    const ProgramInfo program = program_info(runs);
-    std::vector<AnalysisSpec> specifications;
-    for (const auto& [name, scene] : scenes) specifications.push_back(scene.analysis);
-    Summary summary = analyse(specifications, std::move(runs), reference_directory());
+Summary analyse_directory(const fs::path& directory) {
+    StoredRuns stored = read_runs(directory);
+    std::set<std::string> present;
+    for (const RunSummary& run : stored.runs) present.insert(run.directory);
+    for (const SensitivityRun& varied : stored.varied) present.insert(varied.run.directory);
+    const std::vector<AnalysisSpec> specifications = specifications_of(stored.runs);
+    Summary summary =
+        analyse(specifications, std::move(stored.runs), reference_directory(), std::move(stored.varied));
+    read_suite_plan(directory, present, summary);
+    summary.ablation = read_ablation(directory);
+    summary.stress = read_stress(directory);
     summary.verification = read_verification(directory / verification_file);
-    read_suite_plan(directory, summary);
+    return summary;
+}
+
+Summary make_report(const fs::path& directory) {
+    Summary summary = analyse_directory(directory);
+    const std::map<std::string, Scene> scenes = scenes_of(summary.runs);
+    const ProgramInfo program = program_info(summary.runs);
 
     report::ReportInputs inputs;
     inputs.program = {{"version", program.version},
@@ -131,31 +195,23 @@ Summary make_report(const fs::path& directory) {
     inputs.plotly = report::load_plotly();
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
     for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
-    for (const RunSummary& run : summary.runs) {
-        if (!finest_of_variant(summary, run)) continue;
-        inputs.pictures[run.directory] =
-            field_pictures(scenes.at(run.record.scene), run.record, directory / run.directory);
+    for (const RunSummary* run : finest_runs(summary)) {
+        inputs.pictures[run->directory] =
+            field_pictures(scenes.at(run->record.scene), run->record, directory / run->directory);
     }
     atomic_write(directory / "summary.json", summary_json(summary, program).dump(1) + "\n");
     report::write_report(directory, summary, inputs);
     return summary;
 }
 
-bool finest_of_variant(const Summary& summary, const RunSummary& run) {
-    return std::none_of(summary.runs.begin(), summary.runs.end(), [&](const RunSummary& other) {
-        return other.record.scene == run.record.scene && other.record.variant == run.record.variant &&
-               other.record.particle_spacing < run.record.particle_spacing;
-    });
-}
-
 bool within_tolerance(const Summary& summary) {
     if (!all_within(summary.verification)) return false;
-    for (const RunSummary& run : summary.runs) {
-        if (run.record.variant == "paper" || !finest_of_variant(summary, run)) continue;
-        for (const QuantityResult& q : run.quantities) {
+    for (const RunSummary* run : finest_runs(summary)) {
+        if (run->record.variant == "paper") continue;
+        for (const QuantityResult& q : run->quantities) {
             if (q.within && !*q.within) return false;
         }
-        for (const ComparisonResult& c : run.comparisons) {
+        for (const ComparisonResult& c : run->comparisons) {
             if (c.available && !c.within) return false;
         }
     }

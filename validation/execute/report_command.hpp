@@ -10,17 +10,17 @@
 
 namespace wetdeck {
 
-/// Reads every run.h5 below `directory`, analyses them and writes summary.json, index.html and figures/. The
-/// tier, if it is not given, is the one that suite.json names. Throws InputError if there is no run,
-/// DataError for a run that cannot be read.
+/// Reads every run.h5 below `directory` (those below sensitivity/ as rows of that study) and what the other
+/// commands left there, and analyses them. The tier is the one that suite.json names. Throws InputError if
+/// there is no run, DataError for a run that cannot be read.
+Summary analyse_directory(const std::filesystem::path& directory);
+
+/// The same, and writes summary.json, index.html and figures/.
 Summary make_report(const std::filesystem::path& directory);
 
 /// Remembers what a suite set out to run, so that a later report knows what is missing.
 void write_suite_plan(const std::filesystem::path& directory, const std::string& tier,
                       const std::vector<std::string>& run_directories);
-
-/// Whether no run of the same scene and variant is finer.
-bool finest_of_variant(const Summary& summary, const RunSummary& run);
 
 /// Whether every available comparison and expected quantity of the finest spacing of each variant but `paper`
 /// is within its tolerance.

@@ -12,6 +12,7 @@
 #include "validation/execute/run_state.hpp"
 #include "validation/execute/series_keeper.hpp"
 #include "validation/execute/stop_signal.hpp"
+#include "validation/metrics/quantities.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -25,10 +26,11 @@ double processor_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-FieldFrame frame_of(const Simulation& simulation) {
+FieldFrame frame_of(const Simulation& simulation, const std::string& provenance) {
     constexpr int wall = 2;
     FieldFrame frame;
     frame.time = simulation.time();
+    frame.provenance = provenance;
     const auto add = [&frame](double x, double y, double vx, double vy, double p, double rho, int phase,
                               std::int64_t id) {
         frame.x.push_back(x);
@@ -166,7 +168,8 @@ class Run {
         check_frames(options_.directory, from, simulation_.time());
         fields_.emplace(options_.directory, simulation_.time());
         next_frame_ = static_cast<std::size_t>(from.number("next_frame"));
-        last_good_ = frame_in(from).x.empty() ? frame_of(simulation_) : frame_in(from);
+        last_good_ = frame_in(from).x.empty() ? frame_of(simulation_, line()) : frame_in(from);
+        last_good_.provenance = line();
         wall_before_ = from.number("wall_s");
         core_before_ = from.number("core_s");
         if (from.text("computed_by") != computed_by(provenance_))
@@ -187,7 +190,17 @@ class Run {
         record.scene_path = scene_.path;
         provenance_.add_to(record.choices);
         record_parameters(record, scene_, simulation_);
+        record.choices["reference_hashes"] =
+            reference_hashes(scene_.analysis, reference_directory() / scene_.name());
+        if (!scene_.overrides.empty())
+            record.choices["overrides"] = fmt::format("{}", fmt::join(scene_.overrides, "; "));
         return record;
+    }
+
+    /// For the field files, which hold no more.
+    std::string line() const {
+        return fmt::format("{} {} dx {}: {}", scene_.name(), scene_.variant, options_.particle_spacing,
+                           provenance_.line());
     }
 
     void observe(Progress& progress) {
@@ -196,13 +209,13 @@ class Run {
         if (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_]) {
             while (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_])
                 ++next_frame_;
-            fields_->write(frame_of(s));
+            fields_->write(frame_of(s, line()));
         }
         // what an unstable run leaves behind; more often while the run is young
         constexpr std::uint64_t steps_between = 256;
         const bool good =
             s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()));
-        if (good) last_good_ = frame_of(s);
+        if (good) last_good_ = frame_of(s, line());
         if (s.steps() % 64 == 0)
             progress.update(s.time() / end_,
                             fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end_, s.steps()));

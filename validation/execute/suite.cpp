@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr int exit_unstable = 3, exit_environment = 4;
 
 std::string identity_of(const SuiteRow& row) {
-    const Scene scene = read_scene(find_scene(row.scene), row.variant);
+    const Scene scene = read_scene(find_scene(row.scene), row.variant, row.overrides);
     RunOptions options;
     options.particle_spacing = row.particle_spacing;
     return identity_of(scene, options);
@@ -63,6 +63,10 @@ pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
                                           thread_text, "--out", directory, "--checkpoint-interval",
                                           interval};
     if (options.fresh || !interrupted(row)) arguments.emplace_back("--replace");
+    for (const std::string& assignment : row.overrides) {
+        arguments.emplace_back("--set");
+        arguments.push_back(assignment);
+    }
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -96,7 +100,8 @@ pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
 }
 
 std::string row_name(const SuiteRow& row) {
-    return fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
+    const std::string name = fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
+    return row.overrides.empty() ? name : name + " " + row.overrides.front();
 }
 
 /// What one finished child means for the suite.
@@ -112,7 +117,30 @@ int judge(const SuiteRow& row, int status) {
     return code;
 }
 
+void add_sensitivity_rows(std::vector<SuiteRow>& rows, const SuiteOptions& options, const std::string& name,
+                          const Scene& scene, const std::vector<double>& spacings) {
+    if (spacings.empty()) return;
+    const double dx = spacings[spacings.size() / 2];
+    for (const SensitivitySpec& spec : scene.analysis.sensitivities) {
+        for (const double value : {spec.low, spec.high}) {
+            const std::string assignment = fmt::format("{}={}", spec.key, value);
+            const Scene varied = read_scene(find_scene(name), scene.variant, {assignment});
+            rows.push_back({name,
+                            scene.variant,
+                            dx,
+                            estimate_cost(varied, dx).core_seconds,
+                            {assignment},
+                            sensitivity_path(options.directory, scene.name(), assignment)});
+        }
+    }
+}
+
 }  // namespace
+
+fs::path sensitivity_path(const fs::path& directory, const std::string& scene,
+                          const std::string& assignment) {
+    return directory / "sensitivity" / scene / assignment;
+}
 
 fs::path run_path(const fs::path& directory, const std::string& scene, const std::string& variant,
                   double particle_spacing) {
@@ -132,10 +160,17 @@ std::vector<SuiteRow> suite_rows(const SuiteOptions& options) {
         for (const auto& [variant, spacings] : tier->second) {
             const Scene varied = read_scene(path, variant);
             for (const double dx : spacings) {
-                rows.push_back({name, variant, dx, estimate_cost(varied, dx).core_seconds,
+                rows.push_back({name,
+                                variant,
+                                dx,
+                                estimate_cost(varied, dx).core_seconds,
+                                {},
                                 run_path(options.directory, scene.name(), variant, dx)});
             }
         }
+        const auto spacings = tier->second.find(scene.variant);
+        if (spacings != tier->second.end())
+            add_sensitivity_rows(rows, options, name, scene, spacings->second);
     }
     std::stable_sort(rows.begin(), rows.end(), [](const SuiteRow& a, const SuiteRow& b) {
         return a.estimated_core_seconds > b.estimated_core_seconds;

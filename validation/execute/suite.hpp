@@ -16,7 +16,8 @@ struct SuiteRow {
     std::string variant;
     double particle_spacing = 0;
     double estimated_core_seconds = 0;
-    std::filesystem::path directory;  ///< of the run
+    std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of the sensitivity study
+    std::filesystem::path directory;     ///< of the run
 };
 
 struct SuiteOptions {
@@ -28,7 +29,8 @@ struct SuiteOptions {
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< of each run, wall seconds
 };
 
-/// Every row of the tier, longest first. Throws InputError for an unknown tier or scene.
+/// Every row of the tier, longest first, and two for each [[sensitivity]] of a scene (low and high, at the
+/// middle spacing of the default variant). Throws InputError for an unknown tier or scene.
 std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
 
 /// Runs the rows that are not finished, interrupted ones from their last checkpoint. A signal to stop is
@@ -36,6 +38,10 @@ std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
 /// code of a row (0, 3, or 2 and 4 for failures), where a `paper` variant that becomes unstable has done its
 /// work.
 int run_suite(const SuiteOptions& options);
+
+/// Where rows of the sensitivity study lie: DIR/sensitivity/SCENE/KEY=VALUE
+std::filesystem::path sensitivity_path(const std::filesystem::path& directory, const std::string& scene,
+                                       const std::string& assignment);
 
 /// DIR/runs/SCENE/VARIANT/dxDX
 std::filesystem::path run_path(const std::filesystem::path& directory, const std::string& scene,

@@ -2,14 +2,21 @@
 // From stored runs to everything the report shows.
 #include "validation/metrics/analysis.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "validation/metrics/compare.hpp"
 #include "validation/metrics/conservation.hpp"
 #include "validation/metrics/convergence.hpp"
+#include "validation/metrics/curve_convergence.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/metrics/resample.hpp"
 #include "validation/metrics/speed_error.hpp"
+#include "validation/metrics/statistics.hpp"
+#include "validation/metrics/validation.hpp"
 
 namespace wetdeck {
 namespace {
@@ -28,7 +35,7 @@ void add_convergence(const AnalysisSpec& spec, Summary& summary) {
     using Values = std::map<double, double>;  // by spacing, so that a spacing counts once
     std::map<std::string, std::map<std::string, Values>> variants;
     for (const RunSummary& run : summary.runs) {
-        if (run.record.scene != spec.scene || run.record.status != RunStatus::ok) continue;
+        if (!applies(spec, run.record) || run.record.status != RunStatus::ok) continue;
         for (const QuantityResult& quantity : run.quantities) {
             if (!quantity.value) continue;
             variants[run.record.variant][quantity.name][run.record.particle_spacing] = *quantity.value;
@@ -45,12 +52,73 @@ void add_convergence(const AnalysisSpec& spec, Summary& summary) {
     }
 }
 
+/// The first comparison of each series says how it is scaled and where it matters.
+void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
+    std::set<std::string> seen;
+    for (const ComparisonSpec& comparison : spec.comparisons) {
+        if (!seen.insert(comparison.quantity).second) continue;
+        std::map<std::string, std::map<double, Curve>> variants;
+        for (const RunSummary& run : summary.runs) {
+            if (!applies(spec, run.record) || run.record.status != RunStatus::ok) continue;
+            SeriesCurve series = series_curve(run.record, comparison.quantity, comparison.x_scale,
+                                              comparison.y_scale, comparison.y_offset, comparison.x_offset);
+            if (series.problem.empty())
+                variants[run.record.variant][run.record.particle_spacing] = std::move(series.curve);
+        }
+        for (const auto& [variant, curves] : variants) {
+            const Window window = comparison.window.value_or(extent(curves.begin()->second));
+            CurveConvergenceRow row = curve_convergence({curves.begin(), curves.end()}, window);
+            row.scene = spec.scene;
+            row.variant = variant;
+            row.series = comparison.quantity;
+            summary.curve_convergence.push_back(std::move(row));
+        }
+    }
+}
+
+/// One specification per scene, with what any of its variants asks for; the default variant speaks first.
+std::vector<AnalysisSpec> merged(std::vector<AnalysisSpec> specifications) {
+    std::stable_sort(specifications.begin(), specifications.end(), [](const auto& a, const auto& b) {
+        return std::tuple(a.scene, a.variant != a.default_variant) <
+               std::tuple(b.scene, b.variant != b.default_variant);
+    });
+    std::vector<AnalysisSpec> scenes;
+    for (AnalysisSpec& spec : specifications) {
+        if (scenes.empty() || scenes.back().scene != spec.scene) {
+            spec.variant.clear();
+            scenes.push_back(std::move(spec));
+            continue;
+        }
+        AnalysisSpec& scene = scenes.back();
+        for (QuantitySpec& quantity : spec.quantities) {
+            const bool known = std::any_of(scene.quantities.begin(), scene.quantities.end(),
+                                           [&](const QuantitySpec& q) { return q.name == quantity.name; });
+            if (!known) scene.quantities.push_back(std::move(quantity));
+        }
+        for (ComparisonSpec& comparison : spec.comparisons) {
+            const auto same = [&](const ComparisonSpec& c) {
+                return c.title == comparison.title && c.quantity == comparison.quantity &&
+                       c.reference == comparison.reference;
+            };
+            if (std::none_of(scene.comparisons.begin(), scene.comparisons.end(), same))
+                scene.comparisons.push_back(std::move(comparison));
+        }
+    }
+    return scenes;
+}
+
+template <typename Item>
+void append(std::vector<Item>& all, std::vector<Item> some) {
+    std::move(some.begin(), some.end(), std::back_inserter(all));
+}
+
 }  // namespace
 
 Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary> runs,
-                const std::filesystem::path& reference_directory) {
+                const std::filesystem::path& reference_directory,
+                std::vector<SensitivityRun> sensitivity_runs) {
     Summary summary;
-    summary.scenes = scenes;
+    summary.scenes = merged(scenes);
     summary.runs = std::move(runs);
     for (RunSummary& run : summary.runs) {
         run.energy_error = energy_error(run.record);
@@ -59,13 +127,25 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
     for (const AnalysisSpec& spec : scenes) {
         ReferenceShelf references(reference_directory / spec.scene);
         for (RunSummary& run : summary.runs) {
-            if (run.record.scene == spec.scene) evaluate_run(spec, run, references);
+            if (applies(spec, run.record)) evaluate_run(spec, run, references);
+        }
+        for (SensitivityRun& varied : sensitivity_runs) {
+            if (applies(spec, varied.run.record)) evaluate_run(spec, varied.run, references);
         }
         add_convergence(spec, summary);
-        if (spec.error_quantity.empty()) continue;
-        auto points = speed_error_points(summary.runs, spec.scene, spec.error_quantity);
-        std::move(points.begin(), points.end(), std::back_inserter(summary.speed_error));
+        add_curve_convergence(spec, summary);
+        append(summary.sensitivity, sensitivity_rows(spec, sensitivity_runs));
+        append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
+        append(summary.scatter, scatter_points(spec, summary.runs));
     }
+    for (const AnalysisSpec& spec : summary.scenes) {
+        ReferenceShelf references(reference_directory / spec.scene);
+        append(summary.cheapest, cheapest_rows(summary.runs, spec));
+        append(summary.peers, peer_points(spec, references));
+        if (spec.error_quantity.empty()) continue;
+        append(summary.speed_error, speed_error_points(summary.runs, spec.scene, spec.error_quantity));
+    }
+    summary.statistics = class_statistics(summary.scatter);
     return summary;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/metrics/curve_metrics.hpp"
 #include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
@@ -46,6 +47,8 @@ std::optional<Window> comparison_window(ComparisonResult& result, const RunRecor
 void compute_metrics(ComparisonResult& result, const Window& window) {
     const Curve simulated = clip(result.simulated, window);
     const Curve measured = clip(result.measured, window);
+    result.features = curve_features(simulated, measured, window);
+    result.agreement = curve_agreement(result.simulated, result.measured, window);
     const auto [lowest, highest] = std::minmax_element(measured.y.begin(), measured.y.end());
     const double range = *highest - *lowest;
     if (range <= 0) {
@@ -86,6 +89,7 @@ ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, Re
     result.kind = reference->kind;
     result.citation = reference->citation;
     result.reference_uncertainty = reference->u_data;
+    result.reference_hash = reference->hash;
     result.measured = scaled_reference(*reference, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
     if (const auto empty = find_column(*reference, spec.y_column).empty_cells; empty > 0) {
         add_note(result, fmt::format("{} empty cells of column '{}' left out", empty, spec.y_column));

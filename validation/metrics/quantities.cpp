@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "solver/core/errors.hpp"
 #include "validation/analytic/curves.hpp"
@@ -165,6 +166,19 @@ const Reference* ReferenceShelf::find(const std::string& stem) {
         found = files_.emplace(stem, std::move(reference)).first;
     }
     return found->second ? &*found->second : nullptr;
+}
+
+std::string reference_hashes(const AnalysisSpec& scene, const std::filesystem::path& directory) {
+    std::set<std::string> stems;
+    for (const QuantitySpec& quantity : scene.quantities) stems.insert(quantity.reference);
+    for (const ComparisonSpec& comparison : scene.comparisons) stems.insert(comparison.reference);
+    stems.erase("");
+    std::string out;
+    for (const std::string& stem : stems) {
+        const std::string hash = file_hash(directory / (stem + ".csv"));
+        if (!hash.empty()) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", stem, hash);
+    }
+    return out;
 }
 
 std::string curve_not_available(const std::string& stem) {

@@ -29,6 +29,9 @@ class ReferenceShelf {
     std::map<std::string, std::optional<Reference>> files_;
 };
 
+/// "stem fnv1a64:..., ..." of every reference file that the scene names and that is there, in order.
+std::string reference_hashes(const AnalysisSpec& scene, const std::filesystem::path& directory);
+
 /// What is written where a reference file is not there.
 std::string curve_not_available(const std::string& stem);
 

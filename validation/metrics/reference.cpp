@@ -236,6 +236,10 @@ Reference parse_reference(const std::string& name, std::string_view text) {
     return Reader(name, text).read();
 }
 
+std::string file_hash(const std::filesystem::path& path) {
+    return std::filesystem::is_regular_file(path) ? hash_of(file_text(path)) : std::string();
+}
+
 const Column& find_column(const Reference& reference, const std::string& name) {
     std::vector<std::string> names;
     for (const Column& column : reference.columns) {

@@ -42,6 +42,9 @@ Reference load_reference(const std::filesystem::path& path);
 /// and as path.
 Reference parse_reference(const std::string& name, std::string_view text);
 
+/// The same hash without reading further; empty if there is no such file.
+std::string file_hash(const std::filesystem::path& path);
+
 /// The column of that name; throws DataError, naming the columns there are.
 const Column& find_column(const Reference& reference, const std::string& name);
 

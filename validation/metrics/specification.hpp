@@ -37,6 +37,8 @@ struct QuantitySpec {
     std::optional<double> expected;
     std::optional<double> tolerance;
     std::string expected_source;
+    std::string expected_kind;  ///< experiment, peer-simulation, analytic, stated; empty if not said
+    std::optional<double> expected_uncertainty;  ///< standard, k = 1, in the unit; empty if unknown
 };
 
 /// One pair of curves: a series against a column of a reference file.
@@ -65,14 +67,24 @@ struct Deviation {
     std::string reason;
 };
 
+/// An input that a small study varies, one at a time, to learn what its uncertainty does to the results.
+struct SensitivitySpec {
+    std::string key;  ///< dotted, as for --set
+    double low = 0, high = 0;
+    double uncertainty = 0;  ///< standard, k = 1, in the unit of the key
+    std::string source;      ///< who says so
+};
+
 /// The part of a scene that analysis and report need.
 struct AnalysisSpec {
     std::string scene;
+    std::string variant;  ///< that it speaks for; empty: all variants
     std::string title;
     std::string purpose;
     std::string source;
     std::vector<QuantitySpec> quantities;
     std::vector<ComparisonSpec> comparisons;
+    std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::string error_quantity;       ///< the quantity whose value is the error of the speed-error diagram

@@ -3,6 +3,10 @@
 #include "validation/metrics/speed_error.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
 namespace {
@@ -21,6 +25,29 @@ bool beats(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
     return no_worse && (a.core_s < b.core_s || *a.error < *b.error);
 }
 
+/// Takes a run into the row if it is cheaper, or better, than what is there.
+void take(CheapestRow& row, const RunSummary& run, double error) {
+    const RunRecord& record = run.record;
+    const SpeedErrorPoint point{record.scene,       record.variant, record.particle_spacing,
+                                record.cost.core_s, error,          false};
+    const auto cheaper = [&](std::optional<SpeedErrorPoint>& place) {
+        if (!place || point.core_s < place->core_s) place = point;
+    };
+    if (error <= 0.05) cheaper(row.within_5);
+    if (error <= 0.10) cheaper(row.within_10);
+    if (!row.best || error < *row.best->error) row.best = point;
+}
+
+std::optional<double> number_in(const Reference& reference, const std::string& key) {
+    const auto found = reference.keys.find(key);
+    if (found == reference.keys.end()) return std::nullopt;
+    double value = 0;
+    const std::string& text = found->second;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool sound = error == std::errc{} && end == text.data() + text.size() && value > 0;
+    return sound ? std::optional(value) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& runs, const std::string& scene,
@@ -35,6 +62,55 @@ std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& r
         point.pareto = point.error &&
                        std::none_of(points.begin(), points.end(),
                                     [&point](const SpeedErrorPoint& other) { return beats(other, point); });
+    }
+    return points;
+}
+
+std::vector<CheapestRow> cheapest_rows(const std::vector<RunSummary>& runs, const AnalysisSpec& scene) {
+    std::vector<CheapestRow> rows;
+    const auto row_of = [&](const std::string& quantity, const std::string& against) -> CheapestRow& {
+        for (CheapestRow& row : rows) {
+            if (row.quantity == quantity && row.against == against) return row;
+        }
+        rows.push_back({scene.scene, quantity, against, {}, {}, {}});
+        return rows.back();
+    };
+    for (const RunSummary& run : runs) {
+        if (run.record.scene != scene.scene || run.record.status != RunStatus::ok) continue;
+        for (const QuantityResult& q : run.quantities) {
+            if (!q.value || q.expected.value_or(0) == 0) continue;
+            take(row_of(q.name, q.expected_source), run,
+                 std::abs(*q.value - *q.expected) / std::abs(*q.expected));
+        }
+        for (const ComparisonResult& c : run.comparisons) {
+            if (!c.available || !c.nrmse || c.kind == "peer-simulation") continue;
+            take(row_of("curve of " + c.quantity, c.title), run, *c.nrmse);
+        }
+    }
+    return rows;
+}
+
+std::vector<PeerPoint> peer_points(const AnalysisSpec& scene, ReferenceShelf& references) {
+    std::vector<PeerPoint> points;
+    const auto error = std::find_if(scene.quantities.begin(), scene.quantities.end(),
+                                    [&](const QuantitySpec& q) { return q.name == scene.error_quantity; });
+    if (error == scene.quantities.end() || error->metric != "rms_difference" || !error->window) return points;
+    const Reference* measured = references.find(error->reference);
+    if (measured == nullptr) return points;
+    const Curve target = scaled_reference(*measured, measured->columns.front().name, error->y_column,
+                                          error->x_scale, error->y_scale);
+    for (const ComparisonSpec& spec : scene.comparisons) {
+        if (spec.quantity != error->series || spec.reference == error->reference) continue;
+        const Reference* peer = references.find(spec.reference);
+        if (peer == nullptr || peer->kind != "peer-simulation") continue;
+        const Curve curve = scaled_reference(*peer, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
+        const auto common = overlap(target, *error->window);
+        if (!common || !covers(curve, *common)) continue;
+        const auto conditions = peer->keys.find("cost_conditions");
+        points.push_back({scene.scene, spec.title, error->reference,
+                          rms_difference(curve, target, *overlap(curve, *common)),
+                          number_in(*peer, "cost_core_s"),
+                          conditions == peer->keys.end() ? "" : conditions->second});
     }
     return points;
 }

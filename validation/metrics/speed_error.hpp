@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "validation/metrics/quantities.hpp"
 #include "validation/metrics/summary.hpp"
 
 namespace wetdeck {
@@ -14,5 +15,16 @@ namespace wetdeck {
 /// point beats in one of cost and error without being worse in the other.
 std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& runs, const std::string& scene,
                                                 const std::string& error_quantity);
+
+/// For every quantity with an expected value other than zero (relative error |S - D| / |D|) and every curve
+/// that is not another simulation's (nrmse): the cheapest sound run within 5 % and within 10 %, and the run
+/// of the smallest error.
+std::vector<CheapestRow> cheapest_rows(const std::vector<RunSummary>& runs, const AnalysisSpec& scene);
+
+/// Other codes in the place of the scene's error quantity, where that is an rms difference to a curve: each
+/// peer simulation of the same series against the same curve in the same window. What it cost and under which
+/// conditions is taken from the keys `cost_core_s` and `cost_conditions` of its file; empty where it does not
+/// say. A peer that does not cover the window has no point.
+std::vector<PeerPoint> peer_points(const AnalysisSpec& scene, ReferenceShelf& references);
 
 }  // namespace wetdeck

@@ -24,6 +24,20 @@ struct QuantityResult {
     std::optional<bool> within;  ///< empty where nothing is expected or nothing was computed
 };
 
+/// One number taken from both curves of a comparison, in its window and on its scaled axes.
+struct CurveFeature {
+    std::string name;  ///< peak, time of peak, rise time, impulse, mean
+    std::optional<double> simulated, reference;
+};
+
+/// How two curves differ, amplitude, timing and shape apart; see curve_metrics.hpp.
+struct CurveAgreement {
+    std::optional<double> magnitude, phase, combined;  ///< Sprague and Geers
+    std::optional<double> amplitude_factor;  ///< of the reference over the simulation, where shapes meet best
+    std::optional<double> time_shift;        ///< scaled; positive if the simulation is late
+    std::optional<double> shape_error;       ///< rms difference left after both, over the reference's range
+};
+
 struct ComparisonResult {
     std::string title;
     std::string quantity;
@@ -44,6 +58,9 @@ struct ComparisonResult {
     std::optional<Window> window;
     Curve simulated;  ///< scaled
     Curve measured;   ///< scaled
+    std::string reference_hash;
+    std::vector<CurveFeature> features;
+    CurveAgreement agreement;
 };
 
 struct RunSummary {
@@ -65,6 +82,74 @@ struct ConvergenceRow {
     std::string verdict;  ///< monotonic, oscillatory, divergent, not asymptotic, too few spacings
 };
 
+/// Convergence of a whole curve; see curve_convergence.hpp.
+struct CurveConvergenceRow {
+    std::string scene, variant, series;
+    Window window;
+    std::vector<double> dx;                 ///< [m], coarse to fine
+    std::vector<double> difference;         ///< rms, each spacing against the next finer one, scaled
+    double range = 0;                       ///< of the finest curve in the window, scaled
+    std::optional<double> order, gci_fine;  ///< the latter in the scaled unit
+    double monotone_share = 0;              ///< of the instants
+    std::string verdict;                    ///< as for quantities
+};
+
+/// Comparison error of one quantity of the finest run of a variant and what is known of its uncertainty, in
+/// the sense of ASME V&V 20. All uncertainties are standard (k = 1), in the unit of the quantity.
+struct ValidationRow {
+    std::string scene, variant, quantity, unit;
+    std::string against;  ///< who measured or computed
+    std::string kind;     ///< experiment, or empty if not said
+    double dx = 0;
+    double simulated = 0, reference = 0, error = 0;  ///< S, D, E = S - D
+    std::optional<double> u_num, u_input, u_data;
+    std::optional<double> u_val;  ///< only if all three are known
+    double u_known = 0;           ///< root of the sum of squares of those that are known
+    std::string u_num_source;     ///< GCI, range, or why there is none
+    std::string verdict;
+};
+
+/// One pair of a measured or exact value and its prediction, in SI units.
+struct ScatterPoint {
+    std::string scene, variant, quantity, quantity_class, unit, against, kind;
+    double dx = 0, expected = 0, predicted = 0;
+    std::optional<double> u_data;  ///< relative standard
+    bool counted = false;          ///< in the statistics
+    std::string dropped;           ///< why not
+};
+
+/// Bias and scatter of one class of quantities over all scenes; see statistics.hpp.
+struct ClassStatistics {
+    std::string quantity_class;
+    std::size_t count = 0;
+    std::optional<double> bias, bias_low, bias_high;  ///< factor, with its 95 % confidence interval
+    std::optional<double> scatter;                    ///< relative standard deviation of all that differs
+    std::optional<double> sigma_data, sigma_model;    ///< its two parts, where the data's is known
+};
+
+/// A run with one input changed.
+struct SensitivityRun {
+    std::string key;
+    double value = 0;
+    RunSummary run;
+};
+
+/// What an input's uncertainty does to a quantity.
+struct SensitivityRow {
+    std::string scene, variant, quantity, unit, key;
+    double dx = 0, low = 0, high = 0, uncertainty = 0;
+    double value_low = 0, value_high = 0;
+    double u_input = 0;  ///< |value_high - value_low| / |high - low| * uncertainty
+};
+
+/// Another code against the reference that gives the scene its error.
+struct PeerPoint {
+    std::string scene, name, reference;
+    double error = 0;
+    std::optional<double> core_s;
+    std::string conditions;
+};
+
 struct SpeedErrorPoint {
     std::string scene, variant;
     double dx = 0, core_s = 0;
@@ -72,13 +157,51 @@ struct SpeedErrorPoint {
     bool pareto = false;
 };
 
+/// The cheapest run of a scene that meets one value or curve to a given relative error.
+struct CheapestRow {
+    std::string scene, quantity, against;
+    std::optional<SpeedErrorPoint> within_5, within_10;  ///< with the relative error
+    std::optional<SpeedErrorPoint> best;                 ///< the smallest error of all
+};
+
+/// What leaving one ingredient of the model out does; from DIR/ablation.json.
+struct AblationRow {
+    std::string scene;
+    double dx = 0;
+    std::string ingredient;
+    std::optional<double> core_s_ratio;  ///< without it over with it
+    std::optional<double> error_change;  ///< of the scene's error, without it minus with it
+    bool needed = false;
+};
+
+/// Whether a hard case was survived; from DIR/stress.json.
+struct StressRow {
+    std::string stress_case, setting;
+    bool survived = false;
+    std::string note;
+};
+
+/// Whether a specification speaks for a run.
+inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {
+    return record.scene == spec.scene && (spec.variant.empty() || record.variant == spec.variant);
+}
+
 struct Summary {
     std::string tier;
     std::vector<AnalysisSpec> scenes;
     std::vector<RunSummary> runs;
     std::vector<ConvergenceRow> convergence;
+    std::vector<CurveConvergenceRow> curve_convergence;
+    std::vector<ValidationRow> validation;
+    std::vector<ScatterPoint> scatter;
+    std::vector<ClassStatistics> statistics;
     std::vector<SpeedErrorPoint> speed_error;
     std::vector<VerificationProblem> verification;
+    std::vector<PeerPoint> peers;
+    std::vector<CheapestRow> cheapest;
+    std::vector<SensitivityRow> sensitivity;
+    std::vector<AblationRow> ablation;
+    std::vector<StressRow> stress;
     std::vector<std::string> missing;  ///< runs that the tier asks for and the directory lacks
 };
 

@@ -18,8 +18,7 @@ struct ProgramInfo {
 };
 
 /// The summary in schema 1: SI units, null for what could not be computed (also for a number that is not
-/// finite, and for `kind` and `within` of a comparison without a reference file). The lists
-/// `ablation` and `stress` are there and empty; the commands that fill them replace them.
+/// finite, and for `kind` and `within` of a comparison without a reference file).
 nlohmann::json summary_json(const Summary& summary, const ProgramInfo& program);
 
 }  // namespace wetdeck

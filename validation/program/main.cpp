@@ -10,6 +10,8 @@
 #include "solver/core/errors.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
 #include "validation/execute/assemble.hpp"
+#include "validation/execute/baseline.hpp"
+#include "validation/execute/publish.hpp"
 #include "validation/execute/report_command.hpp"
 #include "validation/execute/run.hpp"
 #include "validation/execute/stop_signal.hpp"
@@ -42,6 +44,8 @@ struct Options {
     SuiteOptions suite;
     // verify
     VerifyOptions verify;
+    // report, baseline
+    std::string publish, action, baseline;
     // all
     std::string out;
     bool json = false, quiet = false;
@@ -128,7 +132,19 @@ int verify_command(Options& options) {
 int report_command(const Options& options) {
     const Summary summary = make_report(options.out);
     fmt::print("report: {}\n", (fs::path(options.out) / "index.html").string());
+    if (!options.publish.empty()) publish(summary, options.out, options.publish);
     return within_tolerance(summary) ? exit_done : exit_outside;
+}
+
+int baseline_command(const Options& options) {
+    if (options.action == "write") {
+        write_baseline(options.out, options.baseline, options.replace);
+        return exit_done;
+    }
+    const std::vector<std::string> deviations = compare_with_baseline(options.out, options.baseline);
+    for (const std::string& line : deviations) fmt::print("{}\n", line);
+    fmt::print("{} deviations from {}\n", deviations.size(), options.baseline);
+    return deviations.empty() ? exit_done : exit_outside;
 }
 
 /// A scene file in every variant, or a reference curve.
@@ -226,6 +242,18 @@ int dispatch(int argc, char** argv) {
     CLI::App* report = app.add_subcommand("report", "write the report again from the stored runs alone");
     report->add_option("directory", options.out, "directory of a suite or a run")->required();
 
+    report->add_option("--publish", options.publish,
+                       "also write small tables and figures to this folder, in one named after the tier");
+
+    CLI::App* baseline = app.add_subcommand(
+        "baseline", "keep what the runs of a directory gave, or compare with what was kept");
+    baseline->add_option("action", options.action, "write or compare")
+        ->required()
+        ->check(CLI::IsMember({"write", "compare"}));
+    baseline->add_option("directory", options.out, "directory of a suite or a run")->required();
+    baseline->add_option("--file", options.baseline, "the baseline, a JSON file")->required();
+    baseline->add_flag("--replace", options.replace, "replace the baseline that is there");
+
     CLI::App* list = app.add_subcommand("list", "scenes and their variants, problems with exact solutions");
     list->add_flag("--json", options.json, "as JSON");
     CLI::App* describe = app.add_subcommand("describe", "set-up, references and cost of one scene");
@@ -249,6 +277,7 @@ int dispatch(int argc, char** argv) {
     if (*resume) return resume_command(options);
     if (*verify) return verify_command(options);
     if (*report) return report_command(options);
+    if (*baseline) return baseline_command(options);
     if (*list) return print_list(options.json), exit_done;
     if (*describe) return print_description(options.scene), exit_done;
     if (*check) return check_command(options.scene);

@@ -60,6 +60,12 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const S
     q.expected = table.optional_number("expected");
     q.tolerance = table.optional_number("tolerance");
     q.expected_source = table.text_or("expected_source", "");
+    if (table.has("expected_kind"))
+        q.expected_kind =
+            table.choice("expected_kind", {"experiment", "peer-simulation", "analytic", "stated"});
+    q.expected_uncertainty = table.optional_number("expected_uncertainty");
+    if (q.expected_uncertainty && *q.expected_uncertainty < 0)
+        table.fail("expected_uncertainty", "expected zero or a positive number");
     const bool needs_threshold =
         q.metric == "first_crossing" || q.metric == "value_at" || q.metric == "first_peak_integral";
     if (needs_threshold && !q.threshold)
@@ -145,6 +151,13 @@ void read_analysis(const TomlTable& root, Scene& scene) {
         analysis.deviations.push_back(
             {table.text("item"), table.text("source"), table.text("used"), table.text("reason")});
         table.finish();
+    }
+    for (const TomlTable& table : root.tables("sensitivity")) {
+        const SensitivitySpec spec{table.text("key"), table.number("low"), table.number("high"),
+                                   table.positive("uncertainty"), table.text("source")};
+        if (!(spec.low < spec.high)) table.fail("low", "expected a number below 'high'");
+        table.finish();
+        analysis.sensitivities.push_back(spec);
     }
     analysis.limits = root.texts("limits");
     analysis.error_quantity = root.text_or("error_quantity", "");

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace wetdeck {
@@ -19,6 +20,7 @@ struct FieldFrame {
     std::vector<double> x, y, vx, vy, pressure, density;
     std::vector<int> phase;  ///< 0 water, 1 air, 2 wall, 3 and above: bodies
     std::vector<std::int64_t> id;
+    std::string provenance;  ///< one line: which run of which program; empty: none is written
 };
 
 struct FrameEntry {

@@ -14,7 +14,9 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
+#include <vtkVariant.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 #include <vtkXMLPolyDataReader.h>
@@ -138,6 +140,12 @@ std::string vtp_bytes(const FieldFrame& frame) {
     time->SetName("TimeValue");
     time->InsertNextValue(frame.time);
     data->GetFieldData()->AddArray(time);
+    if (!frame.provenance.empty()) {
+        vtkNew<vtkStringArray> provenance;
+        provenance->SetName("Provenance");
+        provenance->InsertNextValue(frame.provenance);
+        data->GetFieldData()->AddArray(provenance);
+    }
 
     vtkNew<vtkXMLPolyDataWriter> writer;
     vtkNew<ErrorObserver> errors;
@@ -175,6 +183,9 @@ FieldFrame read_frame(const std::filesystem::path& path) {
     }
     FieldFrame frame;
     frame.time = time->GetTuple1(0);
+    vtkAbstractArray* provenance = data->GetFieldData()->GetAbstractArray("Provenance");
+    if (provenance != nullptr && provenance->GetNumberOfValues() == 1)
+        frame.provenance = provenance->GetVariantValue(0).ToString();
     read_points(data, frame, path);
     frame.pressure = read_doubles(data, "pressure", path);
     frame.density = read_doubles(data, "density", path);

@@ -36,6 +36,11 @@ std::string host_kind() {
 
 }  // namespace
 
+std::string Provenance::line() const {
+    return fmt::format("wetdeck {}, commit {}, {} {}, {}, {}, {} threads", program_version, commit, compiler,
+                       compiler_flags, simd, cpu, threads);
+}
+
 void Provenance::add_to(std::map<std::string, std::string>& choices) const {
     choices["program_version"] = program_version;
     choices["commit"] = commit;

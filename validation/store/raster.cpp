@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Disc rasteriser and PNG encoder.
+// Disc rasteriser.
 #include "validation/store/raster.hpp"
-
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPNGWriter.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +35,7 @@ Rgb interpolate(std::span<const Rgb> table, double fraction) {
     return colour;
 }
 
-/// Row 0 is the bottom, as in VTK.
+/// Row 0 is the bottom.
 class Canvas {
   public:
     Canvas(int width, int height, const RasterOptions& options)
@@ -130,26 +125,38 @@ int checked_height(const RasterOptions& options) {
     return static_cast<int>(std::lround(height));
 }
 
+Rgb mixed(const Rgb& a, const Rgb& b) {
+    Rgb colour{};
+    for (std::size_t c = 0; c < 3; ++c) colour[c] = static_cast<std::uint8_t>((a[c] + b[c]) / 2);
+    return colour;
+}
+
+/// Both colour maps in even steps, the plain colours, and mixtures for the edges between them.
+std::vector<Rgb> palette() {
+    std::vector<Rgb> colours{background,
+                             still_air,
+                             wall,
+                             body,
+                             not_a_number,
+                             mixed(background, wall),
+                             mixed(background, body),
+                             mixed(still_air, wall)};
+    for (int k = 0; k <= 100; ++k) colours.push_back(water_colour(k / 100.0));
+    for (int k = 0; k <= 50; ++k) colours.push_back(air_colour(k / 50.0));
+    for (int k = 0; k <= 30; ++k) {
+        colours.push_back(mixed(water_colour(k / 30.0), air_colour(0.2)));
+        colours.push_back(mixed(water_colour(k / 30.0), wall));
+        colours.push_back(mixed(water_colour(k / 30.0), background));
+    }
+    return colours;
+}
+
 std::vector<unsigned char> encode(const Canvas& canvas, int width, int height) {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(width, height, 1);
-    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-    auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-    for (int row = 0; row < height; ++row) {
-        for (int column = 0; column < width; ++column) {
-            const Rgb colour = canvas.averaged(column, row);
-            out = std::copy(colour.begin(), colour.end(), out);
-        }
+    std::vector<Rgb> pixels;
+    for (int row = height - 1; row >= 0; --row) {  // PNG starts at the top
+        for (int column = 0; column < width; ++column) pixels.push_back(canvas.averaged(column, row));
     }
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputData(image);
-    writer->WriteToMemoryOn();
-    writer->Write();
-    vtkUnsignedCharArray* bytes = writer->GetResult();
-    if (bytes == nullptr || bytes->GetNumberOfValues() == 0) {
-        throw EnvironmentError("picture: VTK cannot encode it");
-    }
-    return {bytes->Begin(), bytes->End()};
+    return encode_png(pixels, width, height, palette());
 }
 
 }  // namespace

@@ -3,17 +3,14 @@
 // down.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "validation/store/fields.hpp"
+#include "validation/store/png.hpp"
 
 namespace wetdeck {
-
-using Rgb = std::array<std::uint8_t, 3>;
 
 /// Perceptually uniform map from dark violet (0) through teal to yellow (1); clamped, NaN is grey.
 Rgb water_colour(double fraction);
@@ -32,7 +29,8 @@ struct RasterOptions {
     std::optional<double> air_speed_max;  ///< [m/s]; absent: air is light grey
 };
 
-/// The picture as the bytes of a PNG file. Throws InputError for options that describe no picture.
+/// The picture as the bytes of a PNG file of 256 colours. Throws InputError for options that describe no
+/// picture.
 std::vector<unsigned char> render_png(const FieldFrame& frame, const RasterOptions& options);
 
 /// The same, written to a file that appears whole. Throws EnvironmentError too.

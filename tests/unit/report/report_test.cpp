@@ -278,12 +278,7 @@ TEST_CASE("Pictures are part of the page, with title, time and colour bar", "[re
 }
 
 TEST_CASE("A reference is named by authors and year where its title has them", "[report]") {
-    ComparisonResult c;
-    c.reference = "stem";
-    const auto name = [&](const char* title) {
-        c.title = title;
-        return report::reference_name(c);
-    };
+    const auto name = [](const char* title) { return report::reference_name(title, "stem"); };
     CHECK(name("Gauge pressure, Buchner (2002), first digitisation") == "Buchner (2002), first digitisation");
     CHECK(name("Pressure at 0.267 h_w, incompressible delta-SPH of De Courcy et al. (2024)") ==
           "De Courcy et al. (2024)");

@@ -261,3 +261,28 @@ TEST_CASE("an analytic curve that does not exist is refused when the scene is re
                  Contains("'analytic:nothing': no analytic curve 'nothing', there are wedge_pressure"));
     REQUIRE(refusal(with("nobody_front", "analytic:wedge_pressure deadrise=30")) == "");
 }
+
+TEST_CASE("an expected value of an unknown kind or a negative uncertainty is refused") {
+    const auto expected = [](const std::string& line) {
+        return refusal(
+            with("metric = \"mean\"", "metric = \"mean\"\nexpected = 1.0\ntolerance = 0.1\n" + line));
+    };
+    REQUIRE_THAT(expected("expected_kind = \"rumour\""),
+                 EndsWith("is 'rumour', expected one of experiment, peer-simulation, analytic, stated"));
+    REQUIRE_THAT(expected("expected_uncertainty = -0.1"),
+                 EndsWith("key 'quantities[0].expected_uncertainty': expected zero or a positive number"));
+    REQUIRE(expected("expected_kind = \"experiment\"\nexpected_uncertainty = 0.0").empty());
+}
+
+TEST_CASE("a sensitivity that varies nothing, by nothing, or on nobody's word is refused") {
+    const auto sensitivity = [](const std::string& range) {
+        return refusal(small_scene + "[[sensitivity]]\nkey = \"initial.surface\"\n" + range);
+    };
+    REQUIRE(sensitivity("low = 0.1\nhigh = 0.3\nuncertainty = 0.02\nsource = \"tape\"\n").empty());
+    REQUIRE_THAT(sensitivity("low = 0.3\nhigh = 0.3\nuncertainty = 0.02\nsource = \"tape\"\n"),
+                 EndsWith("key 'sensitivity[0].low': expected a number below 'high'"));
+    REQUIRE_THAT(sensitivity("low = 0.1\nhigh = 0.3\nuncertainty = 0.0\nsource = \"tape\"\n"),
+                 Contains("sensitivity[0].uncertainty"));
+    REQUIRE_THAT(sensitivity("low = 0.1\nhigh = 0.3\nuncertainty = 0.02\n"),
+                 Contains("sensitivity[0].source"));
+}

@@ -38,6 +38,16 @@ TEST_CASE("a frame without particles comes back", "[store][fields]") {
     REQUIRE(samples::same(read_frame(folder / "fields/frame_000000.vtp"), samples::frame(1, 0)));
 }
 
+TEST_CASE("a frame says where it comes from", "[store][fields]") {
+    const ScratchFolder folder;
+    FieldFrame frame = samples::frame(1.5);
+    frame.provenance = "tank two-phase dx 0.01: wetdeck 0, commit abc1234";
+    FieldWriter(folder).write(frame);
+    REQUIRE(read_frame(folder / "fields/frame_000000.vtp").provenance == frame.provenance);
+    REQUIRE(samples::bytes_of(folder / "fields/frame_000000.vtp").find("Name=\"Provenance\"") !=
+            std::string::npos);
+}
+
 TEST_CASE("frames are written as bookworm's ParaView can read and draws them", "[store][fields]") {
     const ScratchFolder folder;
     FieldWriter(folder).write(samples::frame(1.5));

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparison error and its uncertainty, suite statistics, cheapest runs: made-up runs with known answers.
+#include "validation/metrics/validation.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "validation/metrics/analysis.hpp"
+#include "validation/metrics/speed_error.hpp"
+#include "validation/metrics/statistics.hpp"
+
+using namespace wetdeck;
+
+namespace {
+
+AnalysisSpec scene() {
+    AnalysisSpec spec;
+    spec.scene = "tank";
+    spec.default_variant = "a";
+    QuantitySpec peak;
+    peak.name = "peak";
+    peak.metric = "maximum";
+    peak.series = "p";
+    peak.expected = 10;
+    peak.tolerance = 1;
+    peak.expected_kind = "experiment";
+    peak.expected_uncertainty = 0.1;
+    spec.quantities = {peak};
+    return spec;
+}
+
+RunSummary run(double dx, double top, const std::string& variant = "a") {
+    RunSummary r;
+    r.record.scene = "tank";
+    r.record.variant = variant;
+    r.record.particle_spacing = dx;
+    r.record.cost.core_s = 1 / dx;
+    r.record.series["p"] = {"Pa", "", {0, 1, 2}, {0, top, 0}, {}};
+    return r;
+}
+
+/// Values 11 + 300 h^2: S = 11.03 at the finest, u_num = 0.5 * 1.25 * 0.03.
+std::vector<RunSummary> sweep() {
+    return {run(0.04, 11.48), run(0.02, 11.12), run(0.01, 11.03)};
+}
+
+Summary analysed(const AnalysisSpec& spec, std::vector<RunSummary> runs,
+                 std::vector<SensitivityRun> varied = {}) {
+    return analyse({spec}, std::move(runs), "/nonexistent", std::move(varied));
+}
+
+ValidationRow row_with(double error, std::optional<double> u_num, std::optional<double> u_input,
+                       std::optional<double> u_data) {
+    ValidationRow row;
+    row.error = error;
+    row.u_num = u_num;
+    row.u_input = u_input;
+    row.u_data = u_data;
+    row.u_known = std::sqrt(std::pow(u_num.value_or(0), 2) + std::pow(u_input.value_or(0), 2) +
+                            std::pow(u_data.value_or(0), 2));
+    if (u_num && u_input && u_data) row.u_val = row.u_known;
+    return row;
+}
+
+ScatterPoint pair(double expected, double predicted, std::optional<double> u_data) {
+    ScatterPoint p;
+    p.quantity_class = "pressure";
+    p.expected = expected;
+    p.predicted = predicted;
+    p.u_data = u_data;
+    p.counted = true;
+    return p;
+}
+
+}  // namespace
+
+TEST_CASE("E, u_num and u_data of a quantity are as stated, u_input stays unknown without a study",
+          "[validation]") {
+    const Summary summary = analysed(scene(), sweep());
+    REQUIRE(summary.validation.size() == 1);
+    const ValidationRow& row = summary.validation[0];
+    CHECK(row.error == Approx(1.03));
+    CHECK(row.u_num.value() == Approx(0.5 * 1.25 * 0.03));
+    CHECK(row.u_data.value() == 0.1);
+    CHECK_FALSE(row.u_input.has_value());
+    CHECK_FALSE(row.u_val.has_value());
+    CHECK(row.u_known == Approx(std::hypot(0.1, 0.5 * 1.25 * 0.03)));
+    CHECK_THAT(row.verdict, Catch::Contains("u_input unknown, no verdict"));
+}
+
+TEST_CASE("An uncertainty of the data that nobody stated is unknown, not zero", "[validation]") {
+    AnalysisSpec spec = scene();
+    spec.quantities[0].expected_uncertainty.reset();
+    const ValidationRow row = analysed(spec, sweep()).validation.at(0);
+    CHECK_FALSE(row.u_data.has_value());
+    CHECK_FALSE(row.u_val.has_value());
+}
+
+TEST_CASE("Where the spacings swing the whole range stands for the numerical uncertainty", "[validation]") {
+    const ValidationRow row =
+        analysed(scene(), {run(0.04, 11), run(0.02, 12), run(0.01, 11.4)}).validation.at(0);
+    CHECK(row.u_num.value() == Approx(1));
+    CHECK(row.u_num_source == "oscillatory: range of three spacings");
+    CHECK_FALSE(analysed(scene(), {run(0.02, 11)}).validation.at(0).u_num.has_value());
+}
+
+TEST_CASE("Two runs with one input changed give its share of the uncertainty", "[validation]") {
+    AnalysisSpec spec = scene();
+    spec.sensitivities = {{"body.mass", 90, 110, 5, "made up"}};
+    std::vector<SensitivityRun> varied{{"body.mass", 90, run(0.02, 10.8)},
+                                       {"body.mass", 110, run(0.02, 11.6)}};
+    const Summary summary = analysed(spec, sweep(), varied);
+    REQUIRE(summary.sensitivity.size() == 1);
+    CHECK(summary.sensitivity[0].u_input == Approx(0.04 * 5));
+    CHECK(summary.validation[0].u_input.value() == Approx(0.2));
+    CHECK(summary.validation[0].u_val.value() == Approx(std::hypot(0.2, 0.1, 0.5 * 1.25 * 0.03)));
+    CHECK(summary.validation[0].verdict == "model error is about E: simulation too high");
+    varied.pop_back();
+    CHECK(analysed(spec, sweep(), varied).sensitivity.empty());
+}
+
+TEST_CASE("The verdict says what E and the known uncertainties allow", "[validation]") {
+    CHECK(validation_verdict(row_with(0.5, 0.1, 0.1, 1)) == "model error within the validation uncertainty");
+    CHECK(validation_verdict(row_with(0.5, 0.6, 0.1, 1)) ==
+          "error no larger than the numerical uncertainty: finer spacings must come first");
+    CHECK(validation_verdict(row_with(-5, 0.1, 0.1, 1)) == "model error is about E: simulation too low");
+    CHECK_THAT(validation_verdict(row_with(1.5, 0.1, 0.1, 1)), Catch::Contains("less than two"));
+    // a lower bound of u_val that exceeds |E| is enough
+    CHECK(validation_verdict(row_with(0.5, 0.1, {}, 1)) == "model error within the validation uncertainty");
+    CHECK_THAT(validation_verdict(row_with(5, {}, {}, {})),
+               Catch::Contains("u_num, u_input, u_data unknown, no verdict"));
+}
+
+TEST_CASE("Error measures, statements and other simulations are not validated against", "[validation]") {
+    AnalysisSpec spec = scene();
+    const char* kind = GENERATE("stated", "peer-simulation", "analytic");
+    spec.quantities[0].expected_kind = kind;
+    CHECK(analysed(spec, sweep()).validation.empty());
+    spec = scene();
+    spec.quantities[0].metric = "standard_deviation";
+    CHECK(analysed(spec, sweep()).validation.empty());
+}
+
+TEST_CASE("Bias and scatter of predictions that are 10 % high and 20 % apart", "[statistics]") {
+    const double s = 0.2;
+    const auto points = std::vector{pair(1, 1.1 * std::exp(s), {}), pair(3, 3 * 1.1, {}),
+                                    pair(2, 2 * 1.1 * std::exp(-s), {})};
+    const ClassStatistics result = class_statistics(points).at(0);
+    CHECK(result.count == 3);
+    CHECK(result.bias.value() == Approx(1.1));
+    CHECK(result.scatter.value() == Approx(s));
+    CHECK_FALSE(result.sigma_data.has_value());
+    CHECK_FALSE(result.sigma_model.has_value());
+    // Student's t at 97.5 % with two degrees of freedom
+    CHECK(result.bias_high.value() == Approx(1.1 * std::exp(4.30265 * s / std::sqrt(3))).epsilon(1e-5));
+}
+
+TEST_CASE("A known uncertainty of the data is taken out of the scatter", "[statistics]") {
+    const double s = 0.2, data = 0.12;
+    const auto points =
+        std::vector{pair(1, std::exp(s), data), pair(3, 3, data), pair(2, 2 * std::exp(-s), data)};
+    const ClassStatistics result = class_statistics(points).at(0);
+    CHECK(result.sigma_data.value() == Approx(0.12));
+    CHECK(result.sigma_model.value() == Approx(0.16));
+    CHECK(result.bias.value() == Approx(std::exp(0.5 * (0.16 * 0.16 - 0.12 * 0.12))));
+}
+
+TEST_CASE("One point gives a bias and no scatter; a point that is not counted gives nothing",
+          "[statistics]") {
+    const ClassStatistics one = class_statistics({pair(2, 3, {})}).at(0);
+    CHECK(one.bias.value() == Approx(1.5));
+    CHECK_FALSE(one.scatter.has_value());
+    ScatterPoint out = pair(2, 3, {});
+    out.counted = false;
+    CHECK(class_statistics({out}).empty());
+}
+
+TEST_CASE("Only the finest sound run of the default variant counts, in SI units", "[statistics]") {
+    AnalysisSpec spec = scene();
+    spec.quantities[0].y_scale = 100;
+    auto runs = sweep();
+    for (RunSummary& r : runs)
+        for (double& p : r.record.series["p"].value) p *= 100;
+    runs.push_back(run(0.005, 99, "b"));
+    runs.push_back(run(0.002, 99));
+    runs.back().record.status = RunStatus::unstable;
+    const Summary summary = analysed(spec, runs);
+    REQUIRE(summary.scatter.size() == 1);
+    CHECK(summary.scatter[0].counted);
+    CHECK(summary.scatter[0].quantity_class == "pressure");
+    CHECK(summary.scatter[0].expected == Approx(1000));
+    CHECK(summary.scatter[0].predicted == Approx(1103));
+    CHECK(summary.scatter[0].u_data.value() == Approx(0.01));
+    CHECK(summary.statistics.at(0).bias.value() == Approx(1.103));
+}
+
+TEST_CASE("A pair that cannot count is dropped with the reason", "[statistics]") {
+    AnalysisSpec spec = scene();
+    const auto dropped = [&] { return analysed(spec, sweep()).scatter.at(0).dropped; };
+    spec.quantities[0].expected_kind = "peer-simulation";
+    CHECK(dropped() == "another simulation, no measurement");
+    spec.quantities[0].expected_kind = "";
+    CHECK(dropped() == "the scene does not say what kind the expected value is");
+    spec.quantities[0].expected_kind = "experiment";
+    spec.quantities[0].expected = -1;
+    CHECK(dropped() == "not positive: no logarithm");
+}
+
+TEST_CASE("The cheapest run within 5 and 10 percent is found, and the best", "[speed_error]") {
+    AnalysisSpec spec = scene();
+    const auto rows = analysed(spec, {run(0.04, 11.48), run(0.02, 10.8), run(0.01, 10.3), run(0.005, 10.1),
+                                      run(0.02, 12, "b")})
+                          .cheapest;
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].within_10->dx == 0.02);
+    CHECK(rows[0].within_5->dx == 0.01);
+    CHECK(rows[0].best->dx == 0.005);
+    CHECK_FALSE(analysed(spec, {run(0.04, 15)}).cheapest.at(0).within_10.has_value());
+}

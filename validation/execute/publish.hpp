@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The small tables and figures of a report that are kept in the repository.
+#pragma once
+
+#include <filesystem>
+
+#include "validation/metrics/summary.hpp"
+
+namespace wetdeck {
+
+/// Writes TARGET/<tier>/: README.md (where the numbers come from, statistics, errors and costs), runs.csv,
+/// values.csv, statistics.csv, scatter.csv, and of the figures of DIR those over all scenes and of speed
+/// against error. The folder of the tier belongs to the publication: figures of an earlier one go. Needs the
+/// report in DIR.
+void publish(const Summary& summary, const std::filesystem::path& directory,
+             const std::filesystem::path& target);
+
+}  // namespace wetdeck

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One pair of numbers per class of quantity over all scenes: bias and scatter.
+#include "validation/metrics/statistics.hpp"
+
+#include <fmt/core.h>
+#include <gsl/gsl_cdf.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "validation/metrics/curve_metrics.hpp"
+
+namespace wetdeck {
+namespace {
+
+const std::map<std::string, std::string>& classes_by_unit() {
+    static const std::map<std::string, std::string> classes{
+        {"Pa", "pressure"},        {"N/m", "force"},
+        {"N", "torque"},           {"m", "position"},
+        {"rad", "angle"},          {"m/s", "velocity"},
+        {"m/s^2", "acceleration"}, {"N s/m", "impulse"},
+        {"J/m", "energy"},         {"rad/s", "angular velocity"}};
+    return classes;
+}
+
+bool is_integral(const std::string& metric) {
+    return metric == "integral" || metric == "first_peak_integral";
+}
+
+bool is_time(const std::string& metric) {
+    return metric == "time_of_maximum" || metric == "first_crossing";
+}
+
+const Series* series_of(const RunSummary& run, const std::string& name) {
+    const auto found = run.record.series.find(name);
+    return found == run.record.series.end() ? nullptr : &found->second;
+}
+
+/// The finest sound run of the default variant.
+const RunSummary* speaker(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
+    const RunSummary* finest = nullptr;
+    for (const RunSummary& run : runs) {
+        const RunRecord& r = run.record;
+        if (!applies(scene, r) || r.variant != scene.default_variant || r.status != RunStatus::ok) continue;
+        if (finest == nullptr || r.particle_spacing < finest->record.particle_spacing) finest = &run;
+    }
+    return finest;
+}
+
+ScatterPoint point_of(const RunSummary& run) {
+    ScatterPoint point;
+    point.scene = run.record.scene;
+    point.variant = run.record.variant;
+    point.dx = run.record.particle_spacing;
+    return point;
+}
+
+/// SI units per unit of the quantity.
+struct SiScale {
+    double factor;
+    std::string unit;
+};
+
+SiScale si_scale(const QuantitySpec& spec, const std::string& unit) {
+    if (is_time(spec.metric)) return {spec.x_scale, "s"};
+    if (spec.metric == "slope") return {spec.y_scale / spec.x_scale, unit + "/s"};
+    if (is_integral(spec.metric)) return {spec.y_scale * spec.x_scale, unit == "N/m" ? "N s/m" : unit + " s"};
+    return {spec.y_scale, unit};
+}
+
+std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSummary& run) {
+    const auto result = std::find_if(run.quantities.begin(), run.quantities.end(),
+                                     [&](const QuantityResult& q) { return q.name == spec.name; });
+    const Series* series = series_of(run, spec.series);
+    const bool error_measure = spec.metric == "rms_difference" || spec.metric == "standard_deviation";
+    if (result == run.quantities.end() || !result->value || !spec.expected || series == nullptr ||
+        error_measure)
+        return std::nullopt;
+    ScatterPoint point = point_of(run);
+    point.quantity = spec.name;
+    point.quantity_class = quantity_class(spec.metric, series->unit);
+    const SiScale si = si_scale(spec, series->unit);
+    const double scale = si.factor;
+    point.unit = si.unit;
+    point.expected = *spec.expected * scale;
+    point.predicted = *result->value * scale;
+    point.against = spec.expected_source;
+    point.kind = spec.expected_kind;
+    if (spec.expected_uncertainty && *spec.expected != 0)
+        point.u_data = *spec.expected_uncertainty / std::abs(*spec.expected);
+    return point;
+}
+
+std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSummary& run,
+                                        const ComparisonResult& c) {
+    const Series* series = series_of(run, c.quantity);
+    const char* feature = reference_feature(c, "peak") ? "peak" : "mean";
+    const auto predicted = simulated_feature(c, feature), expected = reference_feature(c, feature);
+    if (series == nullptr || !predicted || !expected) return std::nullopt;
+    ScatterPoint point = point_of(run);
+    point.quantity = fmt::format("{}, {}", c.quantity, feature);
+    point.quantity_class = quantity_class(feature, series->unit);
+    point.unit = series->unit;
+    point.expected = (*expected + spec.y_offset) * spec.y_scale;
+    point.predicted = (*predicted + spec.y_offset) * spec.y_scale;
+    point.against = c.reference;
+    point.kind = c.kind;
+    point.u_data = c.reference_uncertainty;
+    return point;
+}
+
+std::string reason_to_drop(const ScatterPoint& point) {
+    if (point.kind == "peer-simulation") return "another simulation, no measurement";
+    if (point.kind == "stated") return "stated in a publication, no measurement";
+    if (point.kind == "analytic") return "an analytic solution, no measurement";
+    if (point.kind != "experiment") return "the scene does not say what kind the expected value is";
+    if (!(point.expected > 0) || !(point.predicted > 0)) return "not positive: no logarithm";
+    return "";
+}
+
+}  // namespace
+
+std::string quantity_class(const std::string& metric, const std::string& series_unit) {
+    if (is_time(metric)) return "time";
+    if (metric == "slope" && series_unit == "m") return "velocity";
+    if (is_integral(metric) && series_unit == "N/m") return "impulse";
+    const auto found = classes_by_unit().find(series_unit);
+    const std::string name = found == classes_by_unit().end() ? "other" : found->second;
+    if (is_integral(metric)) return "integral of " + name;
+    return metric == "slope" ? "slope of " + name : name;
+}
+
+std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
+    std::vector<ScatterPoint> points;
+    const RunSummary* run = speaker(scene, runs);
+    if (run == nullptr) return points;
+    std::map<std::string, std::string> taken;  // series and class, then the point that stands for them
+    for (const QuantitySpec& spec : scene.quantities) {
+        if (auto point = quantity_point(spec, *run)) {
+            point->dropped = reason_to_drop(*point);
+            if (point->dropped.empty()) taken[spec.series + "|" + point->quantity_class] = spec.name;
+            points.push_back(std::move(*point));
+        }
+    }
+    for (std::size_t k = 0; k < scene.comparisons.size() && k < run->comparisons.size(); ++k) {
+        const ComparisonResult& c = run->comparisons[k];
+        auto point = curve_point(scene.comparisons[k], *run, c);
+        if (!point) continue;
+        point->dropped = reason_to_drop(*point);
+        if (point->dropped.empty()) {
+            const std::string as_quantity = c.quantity + "|" + point->quantity_class;
+            const std::string as_record = as_quantity + "|" + c.citation;
+            if (const auto found = taken.find(as_quantity); found != taken.end()) {
+                point->dropped = fmt::format("'{}' stands for this series", found->second);
+            } else if (!taken.emplace(as_record, c.reference).second) {
+                point->dropped = fmt::format("another reading of '{}'", taken.at(as_record));
+            }
+        }
+        points.push_back(std::move(*point));
+    }
+    for (ScatterPoint& point : points) point.counted = point.dropped.empty();
+    return points;
+}
+
+std::vector<ClassStatistics> class_statistics(const std::vector<ScatterPoint>& points) {
+    std::map<std::string, std::vector<const ScatterPoint*>> classes;
+    for (const ScatterPoint& point : points) {
+        if (point.counted) classes[point.quantity_class].push_back(&point);
+    }
+    std::vector<ClassStatistics> all;
+    for (const auto& [name, members] : classes) {
+        ClassStatistics result;
+        result.quantity_class = name;
+        result.count = members.size();
+        const auto n = static_cast<double>(members.size());
+        double mean = 0, data_variance = 0, variance = 0;
+        bool data_known = true;
+        for (const ScatterPoint* p : members) {
+            mean += std::log(p->predicted / p->expected) / n;
+            data_known = data_known && p->u_data.has_value();
+            if (p->u_data) data_variance += *p->u_data * *p->u_data / n;
+        }
+        for (const ScatterPoint* p : members) {
+            const double off = std::log(p->predicted / p->expected) - mean;
+            if (n > 1) variance += off * off / (n - 1);
+        }
+        if (data_known) result.sigma_data = std::sqrt(data_variance);
+        double shift = 0;
+        if (members.size() > 1) {
+            result.scatter = std::sqrt(variance);
+            if (data_known) {
+                const double model_variance = std::max(0.0, variance - data_variance);
+                result.sigma_model = std::sqrt(model_variance);
+                shift = 0.5 * (model_variance - data_variance);
+            }
+            const double half = gsl_cdf_tdist_Pinv(0.975, n - 1) * std::sqrt(variance / n);
+            result.bias_low = std::exp(mean + shift - half);
+            result.bias_high = std::exp(mean + shift + half);
+        }
+        result.bias = std::exp(mean + shift);
+        all.push_back(std::move(result));
+    }
+    return all;
+}
+
+}  // namespace wetdeck

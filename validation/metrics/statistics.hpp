@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One pair of numbers per class of quantity over all scenes: bias and scatter, after the validation guide of
+// FDS (McGrattan and Toman 2011).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/metrics/summary.hpp"
+
+namespace wetdeck {
+
+/// What kind of quantity a metric of a series in this unit is: "pressure", "position", "time" and so on.
+std::string quantity_class(const std::string& metric, const std::string& series_unit);
+
+/// The pairs of a scene in SI units: every expected quantity and every curve (its peak, or its mean where the
+/// reference has no peak inside the window), from the finest sound run of the default variant. Not counted,
+/// with the reason: pairs from other simulations, analytic solutions or statements, of a kind nobody has
+/// said, with a value that is not positive (no logarithm), further readings of one record, and curves that a
+/// quantity of the same class and series stands for.
+std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs);
+
+/// Over the counted points of each class, with L = ln(predicted / expected):
+///   scatter      s, the standard deviation of L
+///   sigma_data   root mean square of u_data, if every point has it
+///   sigma_model  sqrt(max(0, s^2 - sigma_data^2)), if sigma_data is known
+///   bias         exp(mean L + sigma_model^2 / 2 - sigma_data^2 / 2); exp(mean L) if sigma_data is unknown
+///   bias_low, bias_high  Student's 95 % interval of the mean of L
+/// Scatter and interval need two points.
+std::vector<ClassStatistics> class_statistics(const std::vector<ScatterPoint>& points);
+
+}  // namespace wetdeck

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparison error and validation uncertainty in the sense of ASME V&V 20.
+#include "validation/metrics/validation.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "validation/metrics/convergence.hpp"
+#include "validation/metrics/curve_metrics.hpp"
+
+namespace wetdeck {
+namespace {
+
+/// A value with what it should be, from a quantity or from a curve.
+struct Item {
+    std::string name, unit, against, kind;
+    std::optional<double> simulated, reference, u_data;
+};
+
+bool error_measure(const AnalysisSpec& scene, const std::string& quantity) {
+    return std::any_of(scene.quantities.begin(), scene.quantities.end(), [&](const QuantitySpec& spec) {
+        return spec.name == quantity &&
+               (spec.metric == "rms_difference" || spec.metric == "standard_deviation");
+    });
+}
+
+bool judged(const std::string& kind) {
+    return kind == "experiment" || kind.empty();
+}
+
+Item item_of(const AnalysisSpec& scene, const QuantityResult& q) {
+    Item item{q.name, q.unit, q.expected_source, "", q.value, q.expected, {}};
+    for (const QuantitySpec& spec : scene.quantities) {
+        if (spec.name != q.name) continue;
+        item.kind = spec.expected_kind;
+        item.u_data = spec.expected_uncertainty;
+    }
+    return item;
+}
+
+Item item_of(const ComparisonResult& c) {
+    const bool peaked = reference_feature(c, "peak").has_value();
+    const std::string feature = peaked ? "peak" : "mean";
+    Item item{fmt::format("{}: {} against {}", c.quantity, feature, c.reference),
+              "-",
+              c.title,
+              c.kind,
+              simulated_feature(c, feature),
+              reference_feature(c, feature),
+              {}};
+    if (c.reference_uncertainty && item.reference)
+        item.u_data = *c.reference_uncertainty * std::abs(*item.reference);
+    return item;
+}
+
+std::vector<Item> items_of(const AnalysisSpec& scene, const RunSummary& run) {
+    std::vector<Item> items;
+    for (const QuantityResult& q : run.quantities) {
+        if (!error_measure(scene, q.name)) items.push_back(item_of(scene, q));
+    }
+    for (const ComparisonResult& c : run.comparisons) {
+        if (c.available) items.push_back(item_of(c));
+    }
+    return items;
+}
+
+void set_numerical(ValidationRow& row, const std::map<double, double>& values) {
+    const ConvergenceRow verified = convergence({values.begin(), values.end()});
+    if (verified.gci_fine) {
+        row.u_num = 0.5 * *verified.gci_fine;
+        row.u_num_source = "GCI / 2";
+    } else if (verified.value.size() >= 3) {
+        const auto [low, high] = std::minmax_element(verified.value.end() - 3, verified.value.end());
+        row.u_num = *high - *low;
+        row.u_num_source = verified.verdict + ": range of three spacings";
+    } else {
+        row.u_num_source = "unknown: fewer than three spacings";
+    }
+}
+
+void combine(ValidationRow& row) {
+    double sum = 0;
+    bool all = true;
+    for (const auto& part : {row.u_num, row.u_input, row.u_data}) {
+        sum += part ? *part * *part : 0;
+        all = all && part.has_value();
+    }
+    row.u_known = std::sqrt(sum);
+    if (all) row.u_val = row.u_known;
+}
+
+std::optional<double> input_uncertainty(const ValidationRow& row, const std::vector<SensitivityRow>& study) {
+    double sum = 0;
+    bool known = false;
+    for (const SensitivityRow& each : study) {
+        if (each.scene != row.scene || each.variant != row.variant || each.quantity != row.quantity) continue;
+        known = true;
+        sum += each.u_input * each.u_input;
+    }
+    return known ? std::optional(std::sqrt(sum)) : std::nullopt;
+}
+
+using Sound = std::vector<const RunSummary*>;  // by spacing, coarse to fine
+
+std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
+    std::map<std::string, Sound> variants;
+    for (const RunSummary& run : runs) {
+        if (applies(scene, run.record) && run.record.status == RunStatus::ok)
+            variants[run.record.variant].push_back(&run);
+    }
+    for (auto& entry : variants) {
+        std::sort(entry.second.begin(), entry.second.end(), [](const auto* a, const auto* b) {
+            return a->record.particle_spacing > b->record.particle_spacing;
+        });
+    }
+    return variants;
+}
+
+std::map<double, double> values_by_spacing(const AnalysisSpec& scene, const Sound& runs,
+                                           const std::string& name) {
+    std::map<double, double> values;
+    for (const RunSummary* run : runs) {
+        for (const Item& item : items_of(scene, *run)) {
+            if (item.name == name && item.simulated) values[run->record.particle_spacing] = *item.simulated;
+        }
+    }
+    return values;
+}
+
+}  // namespace
+
+std::string validation_verdict(const ValidationRow& row) {
+    const double size = std::abs(row.error);
+    const char* side = row.error > 0 ? "too high" : "too low";
+    if (row.u_num && size <= *row.u_num)
+        return "error no larger than the numerical uncertainty: finer spacings must come first";
+    if (size <= row.u_known) return "model error within the validation uncertainty";
+    if (row.u_val && size > 2 * *row.u_val) return fmt::format("model error is about E: simulation {}", side);
+    if (row.u_val)
+        return fmt::format("E exceeds the validation uncertainty by less than two: simulation {}, perhaps",
+                           side);
+    std::string unknown;
+    const auto add = [&](bool known, const char* name) {
+        if (!known) unknown += (unknown.empty() ? "" : ", ") + std::string(name);
+    };
+    add(row.u_num.has_value(), "u_num");
+    add(row.u_input.has_value(), "u_input");
+    add(row.u_data.has_value(), "u_data");
+    return fmt::format("E alone, simulation {}: {} unknown, no verdict", side, unknown);
+}
+
+std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
+                                           const std::vector<SensitivityRow>& sensitivity) {
+    std::vector<ValidationRow> rows;
+    for (const auto& [variant, sound] : sound_runs(scene, runs)) {
+        for (const Item& item : items_of(scene, *sound.back())) {
+            if (!item.simulated || !item.reference || !judged(item.kind)) continue;
+            ValidationRow row;
+            row.scene = scene.scene;
+            row.variant = variant;
+            row.quantity = item.name;
+            row.unit = item.unit;
+            row.against = item.against;
+            row.kind = item.kind;
+            row.dx = sound.back()->record.particle_spacing;
+            row.simulated = *item.simulated;
+            row.reference = *item.reference;
+            row.error = row.simulated - row.reference;
+            set_numerical(row, values_by_spacing(scene, sound, item.name));
+            row.u_data = item.u_data;
+            row.u_input = input_uncertainty(row, sensitivity);
+            combine(row);
+            row.verdict = validation_verdict(row);
+            rows.push_back(std::move(row));
+        }
+    }
+    return rows;
+}
+
+std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
+                                             const std::vector<SensitivityRun>& runs) {
+    std::vector<SensitivityRow> rows;
+    const auto run_at = [&](const std::string& key, double value) -> const SensitivityRun* {
+        for (const SensitivityRun& each : runs) {
+            const RunRecord& record = each.run.record;
+            if (applies(scene, record) && each.key == key && each.value == value &&
+                record.status == RunStatus::ok)
+                return &each;
+        }
+        return nullptr;
+    };
+    for (const SensitivitySpec& spec : scene.sensitivities) {
+        const SensitivityRun* low = run_at(spec.key, spec.low);
+        const SensitivityRun* high = run_at(spec.key, spec.high);
+        if (low == nullptr || high == nullptr) continue;
+        const std::vector<Item> at_high = items_of(scene, high->run);
+        for (const Item& item : items_of(scene, low->run)) {
+            const auto same = std::find_if(at_high.begin(), at_high.end(),
+                                           [&](const Item& other) { return other.name == item.name; });
+            if (same == at_high.end() || !item.simulated || !same->simulated) continue;
+            SensitivityRow row{scene.scene,      low->run.record.variant,
+                               item.name,        item.unit,
+                               spec.key,         low->run.record.particle_spacing,
+                               spec.low,         spec.high,
+                               spec.uncertainty, *item.simulated,
+                               *same->simulated, 0};
+            row.u_input = std::abs((row.value_high - row.value_low) / (spec.high - spec.low)) *
+                          std::abs(spec.uncertainty);
+            rows.push_back(std::move(row));
+        }
+    }
+    return rows;
+}
+
+}  // namespace wetdeck

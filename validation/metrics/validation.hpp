@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparison error and validation uncertainty in the sense of ASME V&V 20. An uncertainty that nobody has
+// stated stays unknown and is never taken as zero.
+#pragma once
+
+#include <vector>
+
+#include "validation/metrics/summary.hpp"
+
+namespace wetdeck {
+
+/// The rows of one scene: for the finest run of each variant that ended well, every quantity that an
+/// experiment gives a value for (or a source of unsaid kind; an error measure against a curve is no such
+/// quantity), and of every measured curve its peak, or its mean over the window where the reference has no
+/// peak inside.
+///   u_num    half of the grid convergence index (which is taken as a 95 % interval); where the three finest
+///            spacings do not converge monotonically, the whole range of their values; unknown with fewer
+///   u_data   stated with the expected value, or relative to the curve
+///   u_input  root of the sum of squares over the inputs that `sensitivity` names for this variant and
+///            quantity; unknown without
+/// `verdict` says in words what E and the known uncertainties allow to say.
+std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
+                                           const std::vector<SensitivityRow>& sensitivity);
+
+/// What each varied input does to the quantities and to the curves (by the names of `validation_rows`): from
+/// pairs of runs with the key at its low and its high value.
+std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
+                                             const std::vector<SensitivityRun>& runs);
+
+/// The words for a row whose error and uncertainties are filled in.
+std::string validation_verdict(const ValidationRow& row);
+
+}  // namespace wetdeck
