@@ -28,7 +28,7 @@ namespace wetdeck {
 struct Instability {
     double time = 0;  ///< [s]
     std::uint64_t step = 0;
-    std::uint32_t particle = 0;  ///< id
+    std::optional<std::uint32_t> particle;  ///< id; none where a body is in trouble
     Vec2 position = Vec2::Zero();
     std::string quantity;  ///< what left its range, with value and range
 
@@ -53,8 +53,11 @@ class Simulation {
     /// Called after the first evaluation and after every step.
     using Observer = std::function<void(const Simulation&)>;
 
+    /// Looks for what single steps do not notice; called every 64 steps and at the end, before the observer.
+    using Watch = std::function<std::optional<Instability>(const Simulation&)>;
+
     /// Runs until `end` [s] or until the run becomes unstable, which is returned.
-    std::optional<Instability> run(double end, const Observer& observe);
+    std::optional<Instability> run(double end, const Observer& observe, const Watch& watch = {});
 
     /// One step of the given size at most. Returns what went wrong, if anything.
     std::optional<Instability> step(double longest);
@@ -106,6 +109,7 @@ class Simulation {
     void first_kick(double dt);
     bool drift(double duration);
     std::optional<Instability> last_kick(double dt);
+    std::optional<Instability> body_trouble(double dt) const;
     void mark_impacts();
     void density_pass();
     void wall_pass();

@@ -12,6 +12,7 @@
 #include "validation/execute/run_state.hpp"
 #include "validation/execute/series_keeper.hpp"
 #include "validation/execute/stop_signal.hpp"
+#include "validation/execute/watchdog.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -153,7 +154,7 @@ class Run {
     RunRecord run(Progress& progress) {
         RunRecord record = describe();
         const auto observe = [&](const Simulation&) { this->observe(progress); };
-        if (const std::optional<Instability> trouble = simulation_.run(end_, observe)) {
+        if (const std::optional<Instability> trouble = simulation_.run(end_, observe, watch_bodies(scene_))) {
             record.status = RunStatus::unstable;
             record.stop_reason = trouble->describe();
             if (fields_->frames().empty() || last_good_.time > fields_->frames().back().time)
