@@ -14,7 +14,7 @@
 namespace wetdeck {
 namespace {
 
-/// Water and air densities outside this share of their reference end a run: the state is no fluid any more.
+/// Densities outside this share of their reference end a run: the state is no fluid any more.
 constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 5;
 /// So do higher Mach numbers; the step, C h/(c + v), thus never falls below an eleventh of that at rest.
 constexpr double highest_mach_number = 10;
@@ -51,15 +51,6 @@ class StageTimer {
 };
 
 }  // namespace
-
-std::string Instability::describe() const {
-    char name[32] = "";
-    if (particle) std::snprintf(name, sizeof name, ", particle %u", *particle);
-    char text[288];
-    std::snprintf(text, sizeof text, "at t = %.6g s (step %llu): %s%s at (%.4g, %.4g) m", time,
-                  static_cast<unsigned long long>(step), quantity.c_str(), name, position.x(), position.y());
-    return text;
-}
 
 Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
                        Box domain, std::vector<RigidBody> bodies)
@@ -296,7 +287,8 @@ bool Simulation::drift(double duration) {
     return bodies_near && farthest <= list_.allowance() * list_.allowance();
 }
 
-/// The last half kick; finds the largest speeds and whether anything has left its range.
+/// The last half kick; finds the largest speeds and whether anything has left its range (rates too: the floor
+/// below the densities would hide what is no number).
 std::optional<Instability> Simulation::last_kick(double dt) {
     const StageTimer timer(stages_.integration);
     const auto size = static_cast<std::int64_t>(fluid_.size());
@@ -322,7 +314,8 @@ std::optional<Instability> Simulation::last_kick(double dt) {
         double& fastest = water ? fastest_water : fastest_air;
         fastest = std::max(fastest, speed2);
         const double ratio = p.density / densities[water ? 0 : 1];
-        const bool good = ratio > lowest_density_ratio && ratio < highest_density_ratio &&
+        const bool good = fluid_.density_rate[i] == fluid_.density_rate[i] && ratio > lowest_density_ratio &&
+                          ratio < highest_density_ratio &&
                           speed2 < speeds[water ? 0 : 1] * speeds[water ? 0 : 1] && p.x > low.x() &&
                           p.y > low.y() && p.x < high.x() && p.y < high.y();
         if (!good) first_bad = std::min(first_bad, n);

@@ -18,23 +18,12 @@
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/core/model.hpp"
 #include "solver/core/particles.hpp"
+#include "solver/instability.hpp"
 #include "solver/neighbours/neighbour_list.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
 #include "solver/time/time_step.hpp"
 
 namespace wetdeck {
-
-/// Why a run cannot go on.
-struct Instability {
-    double time = 0;  ///< [s]
-    std::uint64_t step = 0;
-    std::optional<std::uint32_t> particle;  ///< id; none where a body is in trouble
-    Vec2 position = Vec2::Zero();
-    std::string quantity;  ///< what left its range, with value and range
-
-    /// One sentence for a person.
-    std::string describe() const;
-};
 
 struct StageTimes {
     double neighbours = 0, density = 0, momentum = 0, walls = 0, bodies = 0, integration = 0,

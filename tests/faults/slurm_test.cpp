@@ -41,7 +41,7 @@ class Daemon {
 };
 
 int shell(const std::string& command) {
-    return std::system((command + " >/dev/null 2>&1").c_str());
+    return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str());
 }
 
 std::string host() {

@@ -10,13 +10,14 @@ using namespace wetdeck;
 TEST_CASE("every case of the fuzz targets is read or refused", "[fuzz]") {
     const std::filesystem::path cases = std::filesystem::path(WETDECK_SOURCE_DIR) / "tests/fuzz/cases";
     for (const auto& [name, target] : fuzz::targets()) {
-        int count = 0;
+        int seeds = 0;
         for (const auto& entry : std::filesystem::directory_iterator(cases / name)) {
             INFO(entry.path().string());
             const std::string bytes = samples::bytes_of(entry.path());
-            REQUIRE_NOTHROW(target(bytes));
-            ++count;
+            const bool read = target(bytes);
+            if (entry.path().filename().string().starts_with("seed_")) REQUIRE(read);
+            seeds += read;
         }
-        REQUIRE(count > 0);
+        REQUIRE(seeds > 0);  // else the target does not reach the reader
     }
 }

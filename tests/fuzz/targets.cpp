@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/fuzz/targets.hpp"
 
-#include <sys/mman.h>
 #include <unistd.h>
 
-#include <stdexcept>
+#include <filesystem>
+#include <fstream>
 
 #include "solver/core/errors.hpp"
 #include "validation/metrics/reference.hpp"
@@ -15,50 +15,51 @@
 namespace wetdeck::fuzz {
 namespace {
 
-/// The bytes as a file, in memory only.
-class MemoryFile {
+/// The bytes as a file, which HDF5 wants to find by its name.
+class CaseFile {
   public:
-    explicit MemoryFile(const std::string& bytes) : descriptor_(::memfd_create("case", MFD_CLOEXEC)) {
-        const auto written = ::write(descriptor_, bytes.data(), bytes.size());
-        if (descriptor_ < 0 || written != static_cast<ssize_t>(bytes.size()))
-            throw std::runtime_error("no file in memory");
+    explicit CaseFile(const std::string& bytes)
+        : path_(std::filesystem::temp_directory_path() / ("wetdeck-case-" + std::to_string(::getpid()))) {
+        std::ofstream(path_, std::ios::binary) << bytes;
     }
-    ~MemoryFile() { ::close(descriptor_); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
+    ~CaseFile() { std::filesystem::remove(path_); }
+    CaseFile(const CaseFile&) = delete;
+    CaseFile& operator=(const CaseFile&) = delete;
 
-    std::filesystem::path path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+    const std::filesystem::path& path() const { return path_; }
 
   private:
-    int descriptor_;
+    std::filesystem::path path_;
 };
 
 template <class Read>
-void read_or_refuse(const Read& read) {
+bool read_or_refuse(const Read& read) {
     try {
         read();
+        return true;
     } catch (const InputError&) {        // DataError is one
     } catch (const EnvironmentError&) {  // a damaged offset that the system will not seek to
     }
+    return false;
 }
 
-void scene(const std::string& bytes) {
-    read_or_refuse([&] { parse_scene(bytes, "scene.toml"); });
+bool scene(const std::string& bytes) {
+    return read_or_refuse([&] { parse_scene(bytes, "scene.toml"); });
 }
 
-void reference(const std::string& bytes) {
-    const MemoryFile file(bytes);
-    read_or_refuse([&] { load_reference(file.path()); });
+bool reference(const std::string& bytes) {
+    const CaseFile file(bytes);
+    return read_or_refuse([&] { load_reference(file.path()); });
 }
 
-void checkpoint(const std::string& bytes) {
-    const MemoryFile file(bytes);
-    read_or_refuse([&] { read_checkpoint(file.path()); });
+bool checkpoint(const std::string& bytes) {
+    const CaseFile file(bytes);
+    return read_or_refuse([&] { read_checkpoint(file.path()); });
 }
 
-void run(const std::string& bytes) {
-    const MemoryFile file(bytes);
-    read_or_refuse([&] { read_run(file.path()); });
+bool run(const std::string& bytes) {
+    const CaseFile file(bytes);
+    return read_or_refuse([&] { read_run(file.path()); });
 }
 
 }  // namespace

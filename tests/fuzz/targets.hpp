@@ -3,14 +3,14 @@
 // the bytes or refuses them with DataError or InputError. Anything else is a fault of the reader.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 
 namespace wetdeck::fuzz {
 
+/// Returns whether the bytes were read.
+using Target = bool (*)(const std::string& bytes);
 /// By the name of the target and of its folder of cases.
-using Target = void (*)(const std::string& bytes);
 const std::map<std::string, Target>& targets();
 
 }  // namespace wetdeck::fuzz

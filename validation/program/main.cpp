@@ -216,9 +216,9 @@ int dispatch(int argc, char** argv) {
     resume->add_flag("--quiet", options.quiet, "no progress");
     for (CLI::App* command : {run, resume, suite})
         command
-            ->add_option(
-                "--checkpoint-interval", options.checkpoint_interval,
-                "wall seconds between checkpoints; further apart where they would cost more than 1 %")
+            ->add_option("--checkpoint-interval", options.checkpoint_interval,
+                         "wall seconds between checkpoints; further apart where they would cost more than 1 "
+                         "%; 0: as often as can be")
             ->check(CLI::Range(0.0, 1e9))
             ->capture_default_str();
 

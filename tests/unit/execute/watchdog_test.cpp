@@ -23,7 +23,8 @@ TEST_CASE("Fluid deeper in a body than one spacing is found, fluid beside it is 
         return -distance_to(scene.bodies.front().outline,
                             scene.bodies.front().body.placed(body.local(place)));
     };
-    Vec2 place = body.position;
+    const BodySpec& spec = scene.bodies.front();
+    Vec2 place = body.placed(spec.body.local(area_moments(spec.outline).centroid));
     REQUIRE(depth_of(place) > 2 * dx);
     while (depth_of(place) > 1.01 * dx) place.y() -= 0.005 * dx;  // down to just above the threshold
     simulation.disturb().state[one].x = place.x();

@@ -82,25 +82,17 @@ TEST_CASE("checkpoints that are all damaged are an error that names the director
                         Contains(path.string() + ": no checkpoint can be read") && Contains("truncated"));
 }
 
-TEST_CASE("a flipped bit anywhere in a checkpoint is noticed or changes nothing", "[store]") {
+TEST_CASE("a flipped bit anywhere in a checkpoint is noticed", "[store]") {
     const ScratchFolder folder;
     write_checkpoint(folder, checkpoint_at(10));
     const std::filesystem::path file = list_checkpoints(folder).front();
     const std::string bytes = samples::bytes_of(file);
-    int noticed = 0;
     for (std::size_t place = 0; place < bytes.size(); place += 97) {
         std::string damaged = bytes;
         damaged[place] = static_cast<char>(damaged[place] ^ (1 << place % 8));
         samples::put_bytes(file, damaged);
-        try {
-            const Checkpoint read = read_checkpoint(file);
-            REQUIRE(same(read, checkpoint_at(10)));  // HDF5's unused bytes
-        } catch (const DataError&) {
-            ++noticed;
-        }
+        REQUIRE_THROWS_AS(read_checkpoint(file), DataError);
     }
-    // the long array alone is 24,000 of the bytes
-    REQUIRE(noticed >= 24'000 / 97);
 }
 
 TEST_CASE("the half-written file of a killed process is no checkpoint", "[store]") {
