@@ -12,3 +12,8 @@ if(WETDECK_SANITIZE)
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(wetdeck_options INTERFACE -fsanitize=${WETDECK_SANITIZE})
 endif()
+
+option(WETDECK_FUZZ "Build the fuzz targets of tests/fuzz (clang++)" OFF)
+if(WETDECK_FUZZ)
+  target_compile_options(wetdeck_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()

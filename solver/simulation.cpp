@@ -14,8 +14,10 @@
 namespace wetdeck {
 namespace {
 
-/// Water and air densities outside this share of their reference end a run: the state is no fluid any more.
+/// Densities outside this share of their reference end a run: the state is no fluid any more.
 constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 5;
+/// So do higher Mach numbers; the step, C h/(c + v), thus never falls below an eleventh of that at rest.
+constexpr double highest_mach_number = 10;
 
 bool needs_wall_means(const Model& model) {
     return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;
@@ -49,14 +51,6 @@ class StageTimer {
 };
 
 }  // namespace
-
-std::string Instability::describe() const {
-    char text[256];
-    std::snprintf(text, sizeof text, "at t = %.6g s (step %llu): %s, particle %u at (%.4g, %.4g) m", time,
-                  static_cast<unsigned long long>(step), quantity.c_str(), particle, position.x(),
-                  position.y());
-    return text;
-}
 
 Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
                        Box domain, std::vector<RigidBody> bodies)
@@ -299,7 +293,8 @@ bool Simulation::drift(double duration) {
     return bodies_near && farthest <= list_.allowance() * list_.allowance();
 }
 
-/// The last half kick; finds the largest speeds and whether anything has left its range.
+/// The last half kick; finds the largest speeds and whether anything has left its range (rates too: the floor
+/// below the densities would hide what is no number).
 std::optional<Instability> Simulation::last_kick(double dt) {
     const StageTimer timer(stages_.integration);
     const auto size = static_cast<std::int64_t>(fluid_.size());
@@ -308,6 +303,8 @@ std::optional<Instability> Simulation::last_kick(double dt) {
     const Vec2 margin = Vec2::Constant(kernel_.support_radius());
     const Vec2 low = domain_.low - margin, high = domain_.high + margin;
     const double densities[] = {model_.water.eos.reference_density, model_.air.eos.reference_density};
+    const double speeds[] = {highest_mach_number * model_.water.eos.sound_speed,
+                             highest_mach_number * model_.air.eos.sound_speed};
     for (RigidBody& body : bodies_) body.kick(0.5 * dt);
 #pragma omp parallel for schedule(static) num_threads(threads_) reduction(max                           \
                                                                           : fastest_water, fastest_air) \
@@ -323,13 +320,14 @@ std::optional<Instability> Simulation::last_kick(double dt) {
         double& fastest = water ? fastest_water : fastest_air;
         fastest = std::max(fastest, speed2);
         const double ratio = p.density / densities[water ? 0 : 1];
-        const bool good = ratio > lowest_density_ratio && ratio < highest_density_ratio &&
-                          speed2 < std::numeric_limits<double>::max() && p.x > low.x() && p.y > low.y() &&
-                          p.x < high.x() && p.y < high.y();
+        const bool good = fluid_.density_rate[i] == fluid_.density_rate[i] && ratio > lowest_density_ratio &&
+                          ratio < highest_density_ratio &&
+                          speed2 < speeds[water ? 0 : 1] * speeds[water ? 0 : 1] && p.x > low.x() &&
+                          p.y > low.y() && p.x < high.x() && p.y < high.y();
         if (!good) first_bad = std::min(first_bad, n);
     }
     fastest_ = {std::sqrt(fastest_water), std::sqrt(fastest_air)};
-    if (first_bad == size) return std::nullopt;
+    if (first_bad == size) return body_trouble(dt);
     const auto i = static_cast<std::size_t>(first_bad);
     const FluidState& bad = fluid_.state[i];
     const bool escaped = (bad.position() - low).minCoeff() <= 0 || (high - bad.position()).minCoeff() <= 0;
@@ -338,6 +336,22 @@ std::optional<Instability> Simulation::last_kick(double dt) {
                   i < fluid_.water ? "water" : "air", bad.density, bad.velocity().norm(),
                   escaped ? "escaped from the tank" : "left the range of a fluid");
     return Instability{time_ + dt, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
+}
+
+/// A body that is nowhere is not noticed by the fluid: nothing is near it.
+std::optional<Instability> Simulation::body_trouble(double dt) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const RigidBody& body = bodies_[b];
+        const double fastest = body.velocity.norm() + std::abs(body.angular_velocity) * body_radii_[b];
+        const bool in_tank =
+            (body.position - domain_.low).minCoeff() > 0 && (domain_.high - body.position).minCoeff() > 0;
+        if (in_tank && fastest < highest_mach_number * model_.water.eos.sound_speed) continue;
+        char text[160];
+        std::snprintf(text, sizeof text, "body %zu with speed %.4g m/s %s", b + 1, fastest,
+                      in_tank ? "left the range of a body" : "left the tank");
+        return Instability{time_ + dt, steps_ + 1, std::nullopt, body.position, text};
+    }
+    return std::nullopt;
 }
 
 double Simulation::bytes_per_particle() const {
@@ -368,11 +382,15 @@ std::optional<Instability> Simulation::step(double longest) {
     return trouble;
 }
 
-std::optional<Instability> Simulation::run(double end, const Observer& observe) {
+std::optional<Instability> Simulation::run(double end, const Observer& observe, const Watch& watch) {
+    constexpr std::uint64_t steps_between_watches = 64;
     observe(*this);
     while (time_ < end) {
         if (std::optional<Instability> trouble = step(end - time_)) return trouble;
         const StageTimer timer(stages_.probes);
+        if (watch && (steps_ % steps_between_watches == 0 || time_ >= end)) {
+            if (std::optional<Instability> trouble = watch(*this)) return trouble;
+        }
         observe(*this);
     }
     return std::nullopt;

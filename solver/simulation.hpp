@@ -18,23 +18,12 @@
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/core/model.hpp"
 #include "solver/core/particles.hpp"
+#include "solver/instability.hpp"
 #include "solver/neighbours/neighbour_list.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
 #include "solver/time/time_step.hpp"
 
 namespace wetdeck {
-
-/// Why a run cannot go on.
-struct Instability {
-    double time = 0;  ///< [s]
-    std::uint64_t step = 0;
-    std::uint32_t particle = 0;  ///< id
-    Vec2 position = Vec2::Zero();
-    std::string quantity;  ///< what left its range, with value and range
-
-    /// One sentence for a person.
-    std::string describe() const;
-};
 
 struct StageTimes {
     double neighbours = 0, density = 0, momentum = 0, walls = 0, bodies = 0, integration = 0,
@@ -53,8 +42,11 @@ class Simulation {
     /// Called after the first evaluation and after every step.
     using Observer = std::function<void(const Simulation&)>;
 
+    /// Looks for what single steps do not notice; called every 64 steps and at the end, before the observer.
+    using Watch = std::function<std::optional<Instability>(const Simulation&)>;
+
     /// Runs until `end` [s] or until the run becomes unstable, which is returned.
-    std::optional<Instability> run(double end, const Observer& observe);
+    std::optional<Instability> run(double end, const Observer& observe, const Watch& watch = {});
 
     /// One step of the given size at most. Returns what went wrong, if anything.
     std::optional<Instability> step(double longest);
@@ -106,6 +98,7 @@ class Simulation {
     void first_kick(double dt);
     bool drift(double duration);
     std::optional<Instability> last_kick(double dt);
+    std::optional<Instability> body_trouble(double dt) const;
     void mark_impacts();
     void density_pass();
     void wall_pass();

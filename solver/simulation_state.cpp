@@ -128,6 +128,7 @@ class Reader {
 
 constexpr std::size_t body_width = sizeof(BodyNumbers) / sizeof(double);
 constexpr std::size_t state_width = sizeof(FluidState) / sizeof(double);
+constexpr std::size_t wall_width = sizeof(WallState) / sizeof(double);
 constexpr std::size_t mean_width = sizeof(WallMean) / sizeof(double);
 
 /// The stage timers by name.
@@ -154,6 +155,7 @@ Simulation::State Simulation::state() const {
     const double* built = list_.built_positions();
     state.arrays["listed_at"] = {built, built + 2 * fluid_.size()};
     state.arrays["wall_mean"] = flat(walls_.mean);
+    state.arrays["wall"] = flat(walls_.state);
     state.arrays["wall_id"] = as_numbers(walls_.id);
     state.arrays["bodies"] = numbers_of(bodies_);
     state.arrays["listed_bodies"] = numbers_of(built_bodies_);
@@ -182,6 +184,7 @@ void Simulation::restore(const State& state) {
     const std::vector<double>& id = in.array("id", size);
     const std::vector<double>& listed_at = in.array("listed_at", 2 * size);
     const std::vector<double>& wall_mean = in.array("wall_mean", mean_width * walls_.size());
+    const std::vector<double>& wall = in.array("wall", wall_width * walls_.size());
     const std::vector<double>& wall_id = in.array("wall_id", walls_.size());
     const std::vector<double>& bodies = in.array("bodies", body_width * bodies_.size());
     const std::vector<double>& listed_bodies = in.array("listed_bodies", body_width * bodies_.size());
@@ -211,7 +214,7 @@ void Simulation::restore(const State& state) {
     build_list();
     unflatten(fluid, fluid_.state);
     set_numbers(bodies_, bodies);
-    place_bodies();
+    unflatten(wall, walls_.state);
     fluid_.density_rate = density_rate;
     fluid_.acceleration_x = acceleration_x;
     fluid_.acceleration_y = acceleration_y;

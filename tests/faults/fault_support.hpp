@@ -72,6 +72,10 @@ class SmallFileSystem {
     SmallFileSystem(const SmallFileSystem&) = delete;
     SmallFileSystem& operator=(const SmallFileSystem&) = delete;
 
+    void grow(const std::string& options) const {
+        if (::mount("none", path().c_str(), "tmpfs", MS_REMOUNT, options.c_str()) != 0)
+            throw std::runtime_error("the small file system cannot be made larger");
+    }
     const std::filesystem::path& path() const { return folder_; }
     std::string error() const { return error_ == 0 ? "" : std::strerror(error_); }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/faults/program_support.hpp"
+#include "validation/store/checkpoint.hpp"
 #include "validation/store/run_store.hpp"
 
 using namespace wetdeck;
@@ -25,6 +26,10 @@ const std::string endless =
     samples::replaced(samples::replaced(samples::with("end_time = 0.2", "end_time = 1e6"),
                                         "[0.0, 0.0, 0.4, 0.2]", "[0.0, 0.0, 1.0, 0.2]"),
                       "[0.4, 0.0, 1.0, 0.2], ", "");
+
+/// About a second of work.
+const std::string one_long_run = samples::replaced(samples::with("end_time = 0.2", "end_time = 0.6"),
+                                                   "single-phase = [0.02, 0.04]", "two-phase = [0.02]");
 
 std::vector<std::string> suite(const std::string& scene, const ScratchFolder& folder) {
     return {"suite", "--only", scene, "--out", folder / "out", "--jobs", "1"};
@@ -178,4 +183,49 @@ TEST_CASE("a baseline of a clean program is kept and compared; from a dirty one 
     }
     CHECK(written.code == 0);
     CHECK(run_program({"baseline", "compare", out, "--file", file}).code == 0);
+}
+
+TEST_CASE("a suite stopped by a signal, or killed, goes on with its interrupted run", "[faults]") {
+    const ScratchFolder folder, logs;
+    const std::string scene = put_scene(folder, one_long_run);
+    std::vector<std::string> arguments = suite(scene, folder);
+    arguments.insert(arguments.end(), {"--checkpoint-interval", "0"});
+    const auto run = folder / "out/runs/small/two-phase/dx0.02";
+    {
+        Program stopped(arguments, logs);
+        REQUIRE(Program::true_within(seconds(30), [&] { return list_checkpoints(run).size() == 2; }));
+        SECTION("SIGTERM to the suite alone") {
+            stopped.send(SIGTERM);
+            REQUIRE(stopped.wait() == 143);
+            REQUIRE_THAT(stopped.err(), Contains("stopped by SIGTERM with 0 of 1 runs done"));
+            REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("stopped by SIGTERM at t = "));
+        }
+        SECTION("kill -9 of everything") {
+            stopped.kill_all();
+        }
+        SECTION("kill -9 of the suite alone: the run stores where it is, and the next suite waits for that") {
+            stopped.kill_parent();
+        }
+    }
+    const Outcome outcome = run_program(arguments);
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.code == 0);
+    REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("going on from t = "));
+    REQUIRE(nlohmann::json::parse(samples::bytes_of(folder / "out/summary.json")).at("runs").size() == 1);
+}
+
+TEST_CASE("a suite starts a run again whose checkpoints are all damaged", "[faults]") {
+    const ScratchFolder folder, logs;
+    const std::string scene = put_scene(folder, one_long_run);
+    std::vector<std::string> arguments = suite(scene, folder);
+    arguments.insert(arguments.end(), {"--checkpoint-interval", "0"});
+    const auto run = folder / "out/runs/small/two-phase/dx0.02";
+    {
+        Program killed(arguments, logs);
+        REQUIRE(Program::true_within(seconds(30), [&] { return list_checkpoints(run).size() == 2; }));
+        killed.kill_all();
+    }
+    for (const auto& file : list_checkpoints(run)) std::filesystem::resize_file(file, 100);
+    REQUIRE(run_program(arguments).code == 0);
+    REQUIRE(read_run(run / "run.h5").status == RunStatus::ok);
 }

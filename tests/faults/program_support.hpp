@@ -34,6 +34,7 @@ class Program {
         redirect("/dev/null", O_RDONLY, STDIN_FILENO);
         redirect(out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
         redirect(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
+        ::setenv("OMP_WAIT_POLICY", "passive", 0);  // tests run side by side: threads must not wait busily
         ::execv(WETDECK_PROGRAM, argv.data());
         ::_exit(127);
     }
@@ -47,6 +48,8 @@ class Program {
         ::waitpid(process_, &status, 0);
         return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
     }
+    /// To the program alone.
+    void send(int signal) const { ::kill(process_, signal); }
     /// kill -9 of the program alone.
     void kill_parent() {
         ::kill(process_, SIGKILL);

@@ -12,6 +12,7 @@
 #include "validation/execute/run_state.hpp"
 #include "validation/execute/series_keeper.hpp"
 #include "validation/execute/stop_signal.hpp"
+#include "validation/execute/watchdog.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
@@ -127,6 +128,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// What a checkpoint that is of no use means to a user.
+DataError with_way_out(const DataError& error, const std::filesystem::path& run_dir) {
+    return DataError(fmt::format("{}; start the run again: wetdeck run ... --replace --out {}", error.what(),
+                                 run_dir.string()));
+}
+
 /// One run in a directory that is claimed, from its start or from a checkpoint.
 class Run {
   public:
@@ -149,7 +156,7 @@ class Run {
     RunRecord run(Progress& progress) {
         RunRecord record = describe();
         const auto observe = [&](const Simulation&) { this->observe(progress); };
-        if (const std::optional<Instability> trouble = simulation_.run(end_, observe)) {
+        if (const std::optional<Instability> trouble = simulation_.run(end_, observe, watch_bodies(scene_))) {
             record.status = RunStatus::unstable;
             record.stop_reason = trouble->describe();
             if (fields_->frames().empty() || last_good_.time > fields_->frames().back().time)
@@ -176,6 +183,7 @@ class Run {
             fmt::print(stderr, "wetdeck: the run was begun by {}: the last digits may differ\n",
                        from.text("computed_by"));
         provenance_.start_time = from.text("start_time");
+        fmt::print("going on from t = {:.4g} s, step {}\n", simulation_.time(), simulation_.steps());
         clock_.restart(0);
     }
 
@@ -272,8 +280,10 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
     const double end = options.until.value_or(scene.end_time);
     if (!(end > 0)) throw InputError(fmt::format("--until is {}, expected a positive time [s]", end));
     const std::filesystem::path& folder = options.directory;
+    constexpr std::chrono::seconds patience(
+        5);  // with a run that a signal has just stopped: it stores itself
     const RunDirectory directory(folder, identity_of(scene, options),
-                                 options.replace ? OnConflict::replace : OnConflict::refuse);
+                                 options.replace ? OnConflict::replace : OnConflict::refuse, patience);
     RunRecord record;
     try {
         const std::optional<Checkpoint> from = newest_checkpoint(folder);
@@ -281,8 +291,7 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
         record = Run(scene, options, end, from ? &*from : nullptr).run(progress);
         write_run(folder, record);
     } catch (const DataError& error) {
-        throw DataError(fmt::format("{}; start the run again: wetdeck run ... --replace --out {}",
-                                    error.what(), folder.string()));
+        throw with_way_out(error, folder);
     } catch (const EnvironmentError& error) {
         if (list_checkpoints(folder).empty()) throw;
         throw EnvironmentError(fmt::format("{}; when that is mended go on with: wetdeck resume {}",
@@ -295,17 +304,19 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
 }
 
 std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory) {
-    const std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
-    if (!checkpoint)
-        throw DataError(
-            fmt::format("{}: holds no checkpoint to go on from, expected the directory of an "
-                        "interrupted run",
-                        directory.string()));
-    std::pair<Scene, RunOptions> run{scene_in(*checkpoint), options_in(*checkpoint)};
-    run.second.directory = directory;
-    if (identity_in(directory) != identity_of(run.first, run.second))
-        throw DataError(fmt::format("{}: the checkpoint belongs to another run than the directory ({})",
-                                    directory.string(), identity_in(directory).value_or("no identity")));
+    std::pair<Scene, RunOptions> run;
+    try {
+        const std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
+        if (!checkpoint)
+            throw DataError(fmt::format("{}: holds no checkpoint to go on from", directory.string()));
+        run = {scene_in(*checkpoint), options_in(*checkpoint)};
+        run.second.directory = directory;
+        if (identity_in(directory) != identity_of(run.first, run.second))
+            throw DataError(fmt::format("{}: the checkpoint belongs to another run than the directory ({})",
+                                        directory.string(), identity_in(directory).value_or("no identity")));
+    } catch (const DataError& error) {
+        throw with_way_out(error, directory);
+    }
     return run;
 }
 

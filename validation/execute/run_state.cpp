@@ -91,7 +91,7 @@ FieldFrame frame_in(const Checkpoint& checkpoint) {
 
 void CheckpointClock::restart(double cost) {
     constexpr double share = 0.01;
-    const std::chrono::duration<double> pause(std::max(interval_, cost / share));
+    const std::chrono::duration<double> pause(interval_ > 0 ? std::max(interval_, cost / share) : 0);
     next_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(pause);
 }
 

@@ -26,7 +26,7 @@ void save_frame(Checkpoint& checkpoint, const FieldFrame& frame);
 FieldFrame frame_in(const Checkpoint& checkpoint);
 
 /// When the next checkpoint is due: at once, then each `interval` wall seconds, further apart where that
-/// would cost more than a hundredth of the time.
+/// would cost more than a hundredth of the time. An interval of 0 asks for one at every chance.
 class CheckpointClock {
   public:
     explicit CheckpointClock(double interval) : interval_(interval), next_(Clock::now()) {}

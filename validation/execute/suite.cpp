@@ -36,20 +36,6 @@ std::string identity_of(const SuiteRow& row) {
     return identity_of(scene, options);
 }
 
-bool finished(const SuiteRow& row) {
-    return holds_finished_run(row.directory) && identity_in(row.directory) == identity_of(row);
-}
-
-/// Whether the directory holds a part of this run to go on from.
-bool interrupted(const SuiteRow& row) {
-    if (holds_finished_run(row.directory) || identity_in(row.directory) != identity_of(row)) return false;
-    try {
-        return newest_checkpoint(row.directory).has_value();
-    } catch (const DataError&) {  // all are damaged
-        return false;
-    }
-}
-
 /// Starts this program again for one row, with its output in a file of the run's directory.
 pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
     make_directories(row.directory);
@@ -99,11 +85,6 @@ pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
     return child;
 }
 
-std::string row_name(const SuiteRow& row) {
-    const std::string name = fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
-    return row.overrides.empty() ? name : name + " " + row.overrides.front();
-}
-
 /// What one finished child means for the suite.
 int judge(const SuiteRow& row, int status) {
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : exit_environment;
@@ -135,11 +116,52 @@ void add_sensitivity_rows(std::vector<SuiteRow>& rows, const SuiteOptions& optio
     }
 }
 
+/// The rows to look at: all, or the one that was asked for.
+std::vector<SuiteRow> chosen_rows(const SuiteOptions& options) {
+    const std::vector<SuiteRow> rows = suite_rows(options);
+    if (!options.row) return rows;
+    if (*options.row >= rows.size())
+        throw InputError(
+            fmt::format("--row is {}, expected one of 0 to {}, see --plan", *options.row, rows.size() - 1));
+    return {rows[*options.row]};
+}
+
 }  // namespace
 
 fs::path sensitivity_path(const fs::path& directory, const std::string& scene,
                           const std::string& assignment) {
     return directory / "sensitivity" / scene / assignment;
+}
+
+bool finished(const SuiteRow& row) {
+    return holds_finished_run(row.directory) && identity_in(row.directory) == identity_of(row);
+}
+
+bool interrupted(const SuiteRow& row) {
+    if (holds_finished_run(row.directory) || identity_in(row.directory) != identity_of(row)) return false;
+    try {
+        return newest_checkpoint(row.directory).has_value();
+    } catch (const DataError&) {  // all are damaged
+        return false;
+    }
+}
+
+std::string row_name(const SuiteRow& row) {
+    const std::string name = fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
+    return row.overrides.empty() ? name : name + " " + row.overrides.front();
+}
+
+void print_plan(const SuiteOptions& options) {
+    double total = 0;
+    std::size_t number = 0;
+    fmt::print("{:>4}  {:>10}  {:>11}  {}\n", "row", "core s", "state", "run");
+    for (const SuiteRow& row : suite_rows(options)) {
+        const char* state = finished(row) ? "done" : interrupted(row) ? "interrupted" : "to do";
+        fmt::print("{:>4}  {:>10.4g}  {:>11}  {}\n", number++, row.estimated_core_seconds, state,
+                   row_name(row));
+        if (!finished(row)) total += row.estimated_core_seconds;
+    }
+    fmt::print("about {} of one core are left to be done\n", duration_text(total));
 }
 
 fs::path run_path(const fs::path& directory, const std::string& scene, const std::string& variant,
@@ -180,7 +202,7 @@ std::vector<SuiteRow> suite_rows(const SuiteOptions& options) {
 
 int run_suite(const SuiteOptions& options) {
     std::vector<SuiteRow> waiting;
-    for (const SuiteRow& row : suite_rows(options)) {
+    for (const SuiteRow& row : chosen_rows(options)) {
         if (!options.fresh && finished(row)) {
             fmt::print("  {}: finished before, reused\n", row_name(row));
         } else {
@@ -207,7 +229,8 @@ int run_suite(const SuiteOptions& options) {
         while (next < waiting.size() && stop_signal() == 0 &&
                running.size() < static_cast<std::size_t>(jobs)) {
             const SuiteRow& row = waiting[next++];
-            running.emplace(start(row, std::max(1, cores / jobs), options), row);
+            running.emplace(
+                start(row, options.threads > 0 ? options.threads : std::max(1, cores / jobs), options), row);
         }
         int status = 0;
         const pid_t child = waitpid(-1, &status, WNOHANG);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,26 @@ struct SuiteOptions {
     std::string tier = "quick";
     std::vector<std::string> scenes;  ///< empty: all that come with the program
     std::filesystem::path directory;
-    int jobs = 0;                                                   ///< runs at a time; 0: one per core
-    bool fresh = false;                                             ///< run again what is finished
+    int jobs = 0;                    ///< runs at a time; 0: one per core
+    int threads = 0;                 ///< of each run; 0: the cores shared out among the jobs
+    bool fresh = false;              ///< run again what is finished
+    std::optional<std::size_t> row;  ///< this row of the plan alone
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< of each run, wall seconds
 };
 
 /// Every row of the tier, longest first, and two for each [[sensitivity]] of a scene (low and high, at the
 /// middle spacing of the default variant). Throws InputError for an unknown tier or scene.
 std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
+
+/// "scene variant dx SPACING".
+std::string row_name(const SuiteRow& row);
+
+/// Whether the directory holds this very run, ended; whether it holds a part of it to go on from.
+bool finished(const SuiteRow& row);
+bool interrupted(const SuiteRow& row);
+
+/// The rows of the tier with their number, cost estimate and whether they are done.
+void print_plan(const SuiteOptions& options);
 
 /// Runs the rows that are not finished, interrupted ones from their last checkpoint. A signal to stop is
 /// passed on to the runs, and when they have written theirs Interrupted is thrown. Returns the worst exit

@@ -14,6 +14,7 @@
 #include "validation/execute/publish.hpp"
 #include "validation/execute/report_command.hpp"
 #include "validation/execute/run.hpp"
+#include "validation/execute/slurm.hpp"
 #include "validation/execute/stop_signal.hpp"
 #include "validation/execute/suite.hpp"
 #include "validation/execute/verify.hpp"
@@ -42,6 +43,9 @@ struct Options {
     double checkpoint_interval = RunOptions{}.checkpoint_interval;
     // suite
     SuiteOptions suite;
+    bool plan = false;
+    std::string executor = "local";
+    SlurmOptions slurm;
     // verify
     VerifyOptions verify;
     // report, baseline
@@ -108,10 +112,13 @@ int suite_command(Options& options) {
     SuiteOptions& suite = options.suite;
     suite.checkpoint_interval = options.checkpoint_interval;
     suite.directory = options.out.empty() ? fs::path("results") / suite.tier : fs::path(options.out);
+    if (options.plan) return print_plan(suite), exit_done;
+    if (suite.row) return run_suite(suite);
     std::vector<std::string> planned;
     for (const SuiteRow& row : suite_rows(suite))
         planned.push_back(fs::relative(row.directory, suite.directory).string());
     write_suite_plan(suite.directory, suite.tier, planned);
+    if (options.executor == "slurm") return submit_suite(suite, options.slurm), exit_done;
     const int worst = run_suite(suite);
     const Summary summary = make_report(suite.directory);
     fmt::print("report: {}\n", (suite.directory / "index.html").string());
@@ -203,6 +210,18 @@ int dispatch(int argc, char** argv) {
     suite->add_option("--out", options.out, "directory of the results (results/TIER)");
     suite->add_option("--jobs", options.suite.jobs, "runs at a time (one per core)")
         ->check(CLI::Range(1, 4096));
+    suite->add_option("--threads", options.suite.threads, "threads of each run (the cores shared out)")
+        ->check(CLI::Range(1, 4096));
+    suite->add_flag("--plan", options.plan, "print the rows with their cost and state, run nothing");
+    suite->add_option("--row", options.suite.row, "run this row of the plan alone, without a report");
+    suite
+        ->add_option("--executor", options.executor,
+                     "local, or slurm: submit what is left to do as a job array")
+        ->check(CLI::IsMember({"local", "slurm"}))
+        ->capture_default_str();
+    suite->add_option("--partition", options.slurm.partition, "slurm: partition (the cluster's default)");
+    suite->add_option("--concurrent", options.slurm.concurrent, "slurm: jobs at a time (no limit)")
+        ->check(CLI::Range(1, 100000));
     suite->add_flag("--fresh", options.suite.fresh, "run again what is finished");
 
     CLI::App* run = app.add_subcommand("run", "one run of a scene");
@@ -226,9 +245,9 @@ int dispatch(int argc, char** argv) {
     resume->add_flag("--quiet", options.quiet, "no progress");
     for (CLI::App* command : {run, resume, suite})
         command
-            ->add_option(
-                "--checkpoint-interval", options.checkpoint_interval,
-                "wall seconds between checkpoints; further apart where they would cost more than 1 %")
+            ->add_option("--checkpoint-interval", options.checkpoint_interval,
+                         "wall seconds between checkpoints; further apart where they would cost more than 1 "
+                         "%; 0: as often as can be")
             ->check(CLI::Range(0.0, 1e9))
             ->capture_default_str();
 

@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <new>
-#include <span>
-#include <stdexcept>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "solver/core/errors.hpp"
@@ -23,34 +24,30 @@ using hdf5::Node;
 constexpr std::uint64_t schema = 1;
 constexpr std::size_t kept = 2;  // the newest may be the one that a dying machine damaged
 
-/// FNV-1a over words of 64 bits, folded so that high bits count too.
-class Checksum {
-  public:
-    void add(std::uint64_t word) {
-        value_ = (value_ ^ word) * 0x100000001b3U;
-        value_ ^= value_ >> 32;
-    }
-    void add(const std::string& text) {
-        add(text.size());
-        for (const char letter : text) add(static_cast<unsigned char>(letter));
-    }
-    void add(std::span<const double> values) {
-        add(values.size());
-        for (const double value : values) add(std::bit_cast<std::uint64_t>(value));
-    }
-    std::uint64_t value() const { return value_; }
+constexpr std::size_t seal_size = sizeof(std::uint64_t);
 
-  private:
-    std::uint64_t value_ = 0xcbf29ce484222325U;
-};
+/// FNV-1a over words of 64 bits, the last one filled up with zeros, folded so that high bits count too.
+std::string seal_of(std::string_view bytes) {
+    std::uint64_t sum = 0xcbf29ce484222325U;
+    for (std::size_t place = 0; place < bytes.size(); place += sizeof sum) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + place, std::min(sizeof word, bytes.size() - place));
+        sum = (sum ^ word) * 0x100000001b3U;
+        sum ^= sum >> 32;
+    }
+    std::string seal(seal_size, '\0');
+    std::memcpy(seal.data(), &sum, seal_size);
+    return seal;
+}
 
-std::uint64_t checksum_of(const Checkpoint& checkpoint) {
-    Checksum sum;
-    sum.add(checkpoint.step);
-    for (const auto& [name, text] : checkpoint.texts) sum.add(name), sum.add(text);
-    for (const auto& [name, number] : checkpoint.numbers) sum.add(name), sum.add({&number, 1});
-    for (const auto& [name, values] : checkpoint.arrays) sum.add(name), sum.add(values);
-    return sum.value();
+void check_seal(const std::filesystem::path& path) {
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file.is_open() && errno != ENOENT) throw environment_error(path, "read", errno);
+    const std::size_t body = bytes.size() - std::min(bytes.size(), seal_size);
+    if (bytes.substr(body) != seal_of(std::string_view(bytes).substr(0, body)))
+        throw DataError(path.string() + ": truncated or damaged, the checksum does not match");
 }
 
 std::filesystem::path path_of(const std::filesystem::path& run_dir, std::uint64_t step) {
@@ -84,9 +81,6 @@ Checkpoint read_values(const Node& file) {
     const Node arrays = open_group(file, "arrays");
     for (const std::string& name : link_names(arrays))
         checkpoint.arrays[name] = read_array(arrays, name).values;
-    if (read_unsigned(file, "checksum") != checksum_of(checkpoint)) {
-        throw DataError(file.place() + ": damaged, the checksum does not match");
-    }
     return checkpoint;
 }
 
@@ -121,7 +115,6 @@ void write_checkpoint(const std::filesystem::path& run_dir, const Checkpoint& ch
         const Node file = hdf5::create_in_memory(path.string());
         write_attribute(file, "schema", schema);
         write_attribute(file, "step", checkpoint.step);
-        write_attribute(file, "checksum", checksum_of(checkpoint));
         const Node texts = create_group(file, "texts");
         for (const auto& [name, text] : checkpoint.texts) write_attribute(texts, name, text);
         const Node numbers = create_group(file, "numbers");
@@ -129,20 +122,17 @@ void write_checkpoint(const std::filesystem::path& run_dir, const Checkpoint& ch
         const Node arrays = create_group(file, "arrays");
         for (const auto& [name, values] : checkpoint.arrays)
             write_array(arrays, name, values, 0, hdf5::Packing::plain);
-        atomic_write(path, file_image(file));
+        std::string bytes = file_image(file);
+        bytes += seal_of(bytes);
+        atomic_write(path, bytes);
     }
     const std::vector<std::filesystem::path> files = list_checkpoints(run_dir);
     for (std::size_t n = kept; n < files.size(); ++n) remove_file(files[n]);
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
-    try {
-        return read_values(hdf5::open_file(file, hdf5::Access::read));
-    } catch (const std::bad_alloc&) {  // a damaged length
-        throw DataError(file.string() + ": damaged, an array claims more than the memory");
-    } catch (const std::length_error&) {
-        throw DataError(file.string() + ": damaged, an array claims more than the memory");
-    }
+    check_seal(file);
+    return read_values(hdf5::open_file(file, hdf5::Access::read));
 }
 
 std::optional<Checkpoint> newest_checkpoint(const std::filesystem::path& run_dir) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checkpoints of a run, DIR/checkpoint_<step>.h5: what a run needs to go on as if it had never stopped.
 //
-//   /             attributes schema, step, checksum
+//   /             attributes schema, step
 //   /texts        one attribute per text
 //   /numbers      one attribute per number
 //   /arrays       one dataset per array, uncompressed: a run waits while they are written
 //
-// The checksum covers the values, as HDF5 itself notices a file that is too short but not a flipped bit.
+// Behind the end of HDF5's own bytes stand eight more, a checksum of all before them. It is looked at first,
+// as HDF5 notices a file that is too short but not a flipped bit, and can hang or crash on one.
 #pragma once
 
 #include <cstdint>

@@ -156,6 +156,20 @@ Node write_array(const Node& parent, const std::string& name, std::span<const do
     return dataset;
 }
 
+namespace {
+
+/// A damaged extent must not take the machine's memory: deflate packs no denser than 1032 to 1.
+void check_claim(const Node& dataset, double values) {
+    const char* message = "damaged dataset";
+    const Handle file = own(H5Iget_file_id(dataset.id()), H5Fclose, dataset.place(), message);
+    hsize_t size = 0;
+    check(H5Fget_filesize(file.id(), &size), dataset.place(), message);
+    if (values * sizeof(double) > 1032.0 * static_cast<double>(size))
+        throw DataError(dataset.place() + ": claims more values than the file can hold");
+}
+
+}  // namespace
+
 Array read_array(const Node& parent, const std::string& name) {
     const Node dataset = open_dataset(parent, name);
     const char* message = "damaged dataset";
@@ -166,6 +180,9 @@ Array read_array(const Node& parent, const std::string& name) {
     const Handle space = own(H5Dget_space(dataset.id()), H5Sclose, dataset.place(), message);
     Array array;
     array.shape = shape_of(space, dataset.place());
+    double claimed = 1;
+    for (const hsize_t extent : array.shape) claimed *= static_cast<double>(extent);
+    check_claim(dataset, claimed);
     array.values.resize(array.shape.size() == 2 ? array.shape[0] * array.shape[1] : array.shape[0]);
     if (!array.values.empty()) {
         check(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()),

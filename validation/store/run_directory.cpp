@@ -80,10 +80,10 @@ bool holds_finished_run(const std::filesystem::path& directory) {
 }
 
 RunDirectory::RunDirectory(std::filesystem::path directory, const std::string& identity,
-                           OnConflict on_conflict)
+                           OnConflict on_conflict, std::chrono::milliseconds patience)
     : path_(std::move(directory)) {
     make_directories(path_);
-    lock();
+    lock(patience);
     try {
         claim(identity, on_conflict);
     } catch (...) {  // no destructor runs for a constructor that throws
@@ -96,11 +96,17 @@ RunDirectory::~RunDirectory() {
     ::close(lock_);
 }
 
-void RunDirectory::lock() {
+void RunDirectory::lock(std::chrono::milliseconds patience) {
     const std::filesystem::path file = path_ / ".lock";
     lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (lock_ < 0) throw environment_error(path_, "write in the directory", errno);
-    if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+    const auto end = std::chrono::steady_clock::now() + patience;
+    int result = ::flock(lock_, LOCK_EX | LOCK_NB);
+    while (result != 0 && errno == EWOULDBLOCK && std::chrono::steady_clock::now() < end) {
+        ::usleep(20'000);
+        result = ::flock(lock_, LOCK_EX | LOCK_NB);
+    }
+    if (result == 0) return;
     const int error = errno;
     ::close(lock_);
     if (error == EWOULDBLOCK) {

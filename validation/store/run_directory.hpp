@@ -5,6 +5,7 @@
 // ends, however it ends. DIR/identity holds one line that tells runs apart.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -32,9 +33,10 @@ class RunDirectory {
   public:
     /// Makes the directory if needed, locks it and writes its identity. An interrupted run of the same
     /// identity is taken over with its files. Throws InputError if the directory holds another or a finished
-    /// run (and `refuse`), EnvironmentError if the machine refuses or another process works there.
+    /// run (and `refuse`), EnvironmentError if the machine refuses or another process works there
+    /// and goes on doing so for longer than `patience`.
     RunDirectory(std::filesystem::path directory, const std::string& identity,
-                 OnConflict on_conflict = OnConflict::refuse);
+                 OnConflict on_conflict = OnConflict::refuse, std::chrono::milliseconds patience = {});
     ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;
     RunDirectory& operator=(const RunDirectory&) = delete;
@@ -42,7 +44,7 @@ class RunDirectory {
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    void lock();
+    void lock(std::chrono::milliseconds patience);
     void claim(const std::string& identity, OnConflict on_conflict) const;
 
     std::filesystem::path path_;

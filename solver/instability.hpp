@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "solver/core/vec2.hpp"
+
+namespace wetdeck {
+
+/// Why a run cannot go on.
+struct Instability {
+    double time = 0;  ///< [s]
+    std::uint64_t step = 0;
+    std::optional<std::uint32_t> particle;  ///< id; none where a body is in trouble
+    Vec2 position = Vec2::Zero();
+    std::string quantity;  ///< what left its range, with value and range
+
+    /// One sentence for a person.
+    std::string describe() const;
+};
+
+}  // namespace wetdeck
