@@ -9,7 +9,7 @@ namespace wetdeck {
 std::optional<double> observed_slope(const std::vector<double>& resolution,
                                      const std::vector<double>& error) {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t k = 0; k < resolution.size(); ++k) {
+    for (std::size_t k = 0; k < std::min(resolution.size(), error.size()); ++k) {
         if (!(resolution[k] > 0) || !(error[k] > 0)) continue;
         const double x = std::log(resolution[k]), y = std::log(error[k]);
         n += 1;
