@@ -154,7 +154,7 @@ TEST_CASE("a suite varies the inputs of the sensitivity study, and its report te
         "50.0\n"
         "source = \"made up\"\n";
     const auto scene =
-        put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.02]") + study);
+        put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.04]") + study);
     REQUIRE(run_program(suite(scene, folder)).code == 0);
     const std::string low = "out/sensitivity/small/model.background_pressure=400/run.h5";
     const auto before = std::filesystem::last_write_time(folder / low);
@@ -171,11 +171,11 @@ TEST_CASE("a suite varies the inputs of the sensitivity study, and its report te
 
 TEST_CASE("a baseline of a clean program is kept and compared; from a dirty one it is refused", "[faults]") {
     const ScratchFolder folder;
-    const auto scene = put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.02]"));
+    const auto scene = put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.04]"));
     REQUIRE(run_program(suite(scene, folder)).code == 0);
     const std::string out = folder / "out", file = folder / "base.json";
     const Outcome written = run_program({"baseline", "write", out, "--file", file});
-    const std::string commit = read_run(run_of(folder, "0.02")).choices.at("commit");
+    const std::string commit = read_run(run_of(folder, "0.04")).choices.at("commit");
     if (commit == "unknown" || commit.ends_with("-dirty")) {
         CHECK(written.code == 2);
         CHECK_THAT(written.err, Contains("a baseline needs runs of a committed program"));
