@@ -60,8 +60,7 @@ void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
         std::map<std::string, std::map<double, Curve>> variants;
         for (const RunSummary& run : summary.runs) {
             if (!applies(spec, run.record) || run.record.status != RunStatus::ok) continue;
-            SeriesCurve series = series_curve(run.record, comparison.quantity, comparison.x_scale,
-                                              comparison.y_scale, comparison.y_offset, comparison.x_offset);
+            SeriesCurve series = series_curve(run.record, comparison.quantity, comparison);
             if (series.problem.empty())
                 variants[run.record.variant][run.record.particle_spacing] = std::move(series.curve);
         }

@@ -75,8 +75,7 @@ ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, Re
     result.y_label = spec.y_label;
     result.window = spec.window;
 
-    SeriesCurve series =
-        series_curve(record, spec.quantity, spec.x_scale, spec.y_scale, spec.y_offset, spec.x_offset);
+    SeriesCurve series = series_curve(record, spec.quantity, spec);
     result.simulated = std::move(series.curve);
     add_note(result, series.problem);
 

@@ -23,9 +23,9 @@ std::vector<double> work_on_bodies(const RunRecord& record, std::size_t samples)
 }  // namespace
 
 std::optional<double> energy_error(const RunRecord& record) {
-    const SeriesCurve kinetic = series_curve(record, "energy_kinetic", 1, 1);
-    const SeriesCurve potential = series_curve(record, "energy_potential", 1, 1);
-    const SeriesCurve compression = series_curve(record, "energy_compression", 1, 1);
+    const SeriesCurve kinetic = series_curve(record, "energy_kinetic");
+    const SeriesCurve potential = series_curve(record, "energy_potential");
+    const SeriesCurve compression = series_curve(record, "energy_compression");
     for (const SeriesCurve* part : {&kinetic, &potential, &compression}) {
         if (!part->problem.empty() || part->curve.x != kinetic.curve.x) return std::nullopt;
     }
@@ -45,7 +45,7 @@ std::optional<double> energy_error(const RunRecord& record) {
 }
 
 std::optional<double> momentum_error(const RunRecord& record) {
-    const SeriesCurve series = series_curve(record, "momentum_error", 1, 1);
+    const SeriesCurve series = series_curve(record, "momentum_error");
     if (!series.problem.empty()) return std::nullopt;
     double largest = 0;
     for (const double error : series.curve.y) largest = std::max(largest, std::abs(error));

@@ -133,8 +133,7 @@ void check(const QuantitySpec& spec) {
 }
 
 Outcome evaluate(const QuantitySpec& spec, const RunRecord& record, ReferenceShelf& references) {
-    const SeriesCurve series =
-        series_curve(record, spec.series, spec.x_scale, spec.y_scale, 0, spec.x_offset);
+    const SeriesCurve series = series_curve(record, spec.series, spec);
     if (!series.problem.empty()) return {{}, series.problem};
     const Curve& curve = series.curve;
     const Window window = spec.window.value_or(extent(curve));

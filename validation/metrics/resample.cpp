@@ -9,22 +9,51 @@
 
 namespace wetdeck {
 
-SeriesCurve series_curve(const RunRecord& record, const std::string& name, double x_scale, double y_scale,
-                         double y_offset, double x_offset) {
+namespace {
+
+/// The row of a profile nearest to the instant.
+SeriesCurve profile_row(const Series& series, const std::string& name, const SeriesScaling& scaling) {
+    const double instant = *scaling.instant;
+    if (instant < series.time.front() || instant > series.time.back()) {
+        return {{},
+                fmt::format("series '{}' spans {:.6g} to {:.6g} s, not {:.6g}", name, series.time.front(),
+                            series.time.back(), instant)};
+    }
+    const auto after = std::lower_bound(series.time.begin(), series.time.end(), instant);
+    auto row = static_cast<std::size_t>(after - series.time.begin());
+    if (row > 0 && instant - series.time[row - 1] < *after - instant) --row;
+    SeriesCurve result;
+    for (std::size_t k = 0; k < series.columns(); ++k) {
+        const double y = series.value[row * series.columns() + k] / scaling.y_scale - scaling.y_offset;
+        if (!std::isfinite(y))
+            return {{},
+                    fmt::format("series '{}' is not finite at column {}, t = {:.6g} s", name, k, instant)};
+        result.curve.x.push_back((series.abscissa[k] - scaling.x_offset) / scaling.x_scale);
+        result.curve.y.push_back(y);
+    }
+    return result;
+}
+
+}  // namespace
+
+SeriesCurve series_curve(const RunRecord& record, const std::string& name, const SeriesScaling& scaling) {
     const auto found = record.series.find(name);
     if (found == record.series.end()) return {{}, fmt::format("the run has no series '{}'", name)};
     const Series& series = found->second;
-    if (series.columns() != 1) return {{}, fmt::format("series '{}' has several columns", name)};
+    const bool profile = series.columns() != 1;
+    if (profile && !scaling.instant) return {{}, fmt::format("series '{}' has several columns", name)};
+    if (!profile && scaling.instant) return {{}, fmt::format("series '{}' is no profile", name)};
     if (series.time.empty()) return {{}, fmt::format("series '{}' is empty", name)};
-    if (series.time.size() != series.value.size()) {
+    if (series.time.size() * series.columns() != series.value.size()) {
         return {{},
                 fmt::format("series '{}' has {} times and {} values", name, series.time.size(),
                             series.value.size())};
     }
+    if (profile) return profile_row(series, name, scaling);
     SeriesCurve result;
     for (std::size_t i = 0; i < series.time.size(); ++i) {
-        const double x = (series.time[i] - x_offset) / x_scale;
-        const double y = series.value[i] / y_scale - y_offset;
+        const double x = (series.time[i] - scaling.x_offset) / scaling.x_scale;
+        const double y = series.value[i] / scaling.y_scale - scaling.y_offset;
         if (!std::isfinite(x) || !std::isfinite(y)) {
             result.problem =
                 fmt::format("series '{}' is not finite at sample {}, t = {:.6g} s", name, i, series.time[i]);

@@ -23,11 +23,11 @@ struct SeriesCurve {
     std::string problem;  ///< empty if the whole series is sound
 };
 
-/// ((time - x_offset) / x_scale, value / y_scale - y_offset) of a one-dimensional series. A series that is
-/// missing or empty, has several columns, holds a value that is not finite or times that do not increase
-/// comes back with the problem named: no number may be taken from it.
-SeriesCurve series_curve(const RunRecord& record, const std::string& series, double x_scale, double y_scale,
-                         double y_offset = 0, double x_offset = 0);
+/// A series under its scaling. One that is missing or empty, that has several columns where no instant is
+/// asked for (or one where it is), that holds a value that is not finite or times that do not increase comes
+/// back with the problem named: no number may be taken from it.
+SeriesCurve series_curve(const RunRecord& record, const std::string& series,
+                         const SeriesScaling& scaling = {});
 
 /// Linear interpolation; x outside the curve takes the value of the nearer end. The curve must not be empty.
 double interpolate(const Curve& curve, double x);

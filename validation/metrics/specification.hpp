@@ -15,8 +15,21 @@ struct Window {
     double end = 0;
 };
 
+/// How a series becomes a curve: ((time - x_offset) / x_scale, value / y_scale - y_offset); of a profile, the
+/// row at one instant, with its abscissa in place of the time.
+struct SeriesScaling {
+    double x_offset = 0;  ///< where the scaled abscissa is zero: an instant [s], or a place [m]
+    double x_scale = 1;   ///< SI units per unit of the scaled abscissa
+    double y_scale = 1;   ///< SI units per unit of the scaled value
+    double y_offset =
+        0;  ///< subtracted from the scaled value (for example 2, where a front is counted from the gate)
+    std::optional<double> instant;  ///< of the row of a profile, on the clock of the run [s]
+
+    bool operator==(const SeriesScaling&) const = default;
+};
+
 /// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
-struct QuantitySpec {
+struct QuantitySpec : SeriesScaling {
     std::string name;
     /// mean, standard_deviation, maximum, time_of_maximum, minimum, slope (least squares), first_crossing
     /// (upward through `threshold`), value_at (at `threshold` on the abscissa), rms_difference (root mean
@@ -25,9 +38,6 @@ struct QuantitySpec {
     /// window's begin until the curve has fallen from its maximum through `threshold` times that).
     std::string metric;
     std::string series;
-    double x_offset = 0;  ///< instant at which the scaled time is zero [s]
-    double x_scale = 1;   ///< seconds per unit of the scaled time
-    double y_scale = 1;   ///< SI units per unit of the scaled value
     std::optional<Window> window;
     std::optional<double> threshold;
     std::string reference;  ///< as in ComparisonSpec, for rms_difference
@@ -42,17 +52,12 @@ struct QuantitySpec {
 };
 
 /// One pair of curves: a series against a column of a reference file.
-struct ComparisonSpec {
+struct ComparisonSpec : SeriesScaling {
     std::string title;
     std::string quantity;   ///< name of the series
     std::string reference;  ///< file stem in reference_data/<scene>/, or "analytic:NAME key=value ..."
     std::string x_column;
     std::string y_column;
-    double x_offset = 0;  ///< instant at which the scaled time is zero [s]
-    double x_scale = 1;
-    double y_scale = 1;
-    double y_offset =
-        0;  ///< subtracted from the scaled series (for example 2, where a front is counted from the gate)
     std::optional<Window> window;  ///< where the metrics are taken; the whole overlap if absent
     double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
     std::string x_label;

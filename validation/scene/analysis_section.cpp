@@ -52,6 +52,7 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const S
     q.x_scale = scale(table, "x_scale", scales);
     q.x_offset = scale(table, "x_origin", origins, 0);
     q.y_scale = scale(table, "y_scale", scales);
+    q.instant = table.optional_number("instant");
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
     q.reference = read_reference(table, table.text_or("reference", ""));
@@ -90,6 +91,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales, con
     c.x_offset = scale(table, "x_origin", origins, 0);
     c.y_scale = scale(table, "y_scale", scales);
     c.y_offset = table.number_or("y_offset", 0);
+    c.instant = table.optional_number("instant");
     c.window = window(table);
     c.tolerance = table.positive("tolerance");
     c.x_label = table.text_or("x_label", c.x_column);

@@ -17,7 +17,7 @@ RunRecord record_with(Series series) {
 }
 
 std::string problem_of(Series series) {
-    return series_curve(record_with(std::move(series)), "p", 1, 1).problem;
+    return series_curve(record_with(std::move(series)), "p").problem;
 }
 
 }  // namespace
@@ -54,7 +54,8 @@ TEST_CASE("The root mean square difference takes 2000 instants with both ends", 
 }
 
 TEST_CASE("A series is scaled and its offset taken off after scaling", "[resample]") {
-    const auto result = series_curve(record_with({"Pa", "", {0, 2}, {100, 300}, {}}), "p", 2, 100, 0.5);
+    const auto result =
+        series_curve(record_with({"Pa", "", {0, 2}, {100, 300}, {}}), "p", {0, 2, 100, 0.5, {}});
     CHECK(result.problem.empty());
     CHECK(result.curve.x == std::vector<double>{0, 1});
     CHECK(result.curve.y == std::vector<double>{0.5, 2.5});
@@ -63,7 +64,7 @@ TEST_CASE("A series is scaled and its offset taken off after scaling", "[resampl
 TEST_CASE("A series that is not sound is named as such", "[resample]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    CHECK(series_curve(RunRecord{}, "p", 1, 1).problem == "the run has no series 'p'");
+    CHECK(series_curve(RunRecord{}, "p").problem == "the run has no series 'p'");
     CHECK(problem_of({}) == "series 'p' is empty");
     CHECK(problem_of({"Pa", "", {0, 1}, {1}, {}}) == "series 'p' has 2 times and 1 values");
     CHECK(problem_of({"Pa", "", {0}, {1, 2}, {0, 1}}) == "series 'p' has several columns");
@@ -72,4 +73,15 @@ TEST_CASE("A series that is not sound is named as such", "[resample]") {
           "series 'p' is not finite at sample 0, t = 0 s");
     CHECK(problem_of({"Pa", "", {0, 1, 1}, {1, 2, 3}, {}}) ==
           "the time of series 'p' does not increase at sample 2, t = 1 s");
+}
+
+TEST_CASE("the row of a profile nearest to an instant becomes a curve over its abscissa") {
+    const RunRecord record =
+        record_with({"Pa", "", {0, 1, 2}, {1, 2, 3, 10, 20, 30, 100, 200, 300}, {0.1, 0.2, 0.3}});
+    const auto result = series_curve(record, "p", {0.1, 0.1, 10, 0, 1.4});
+    REQUIRE(result.problem.empty());
+    CHECK(result.curve.x[2] == Approx(2));
+    CHECK(result.curve.y == std::vector<double>{1, 2, 3});
+    CHECK_THAT(series_curve(record, "p").problem, Catch::Contains("several columns"));
+    CHECK_THAT(series_curve(record, "p", {0, 1, 1, 0, 2.5}).problem, Catch::Contains("spans 0 to 2 s"));
 }
