@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "solver/core/errors.hpp"
+#include "solver/physics/sponge.hpp"
 
 namespace wetdeck {
 namespace {
@@ -132,6 +133,7 @@ void Simulation::build_list() {
 void Simulation::density_pass() {
     const StageTimer timer(stages_.density);
     loops_.density_rates(pass_input());
+    if (model_.sponge_thickness > 0) soak({&fluid_.density_rate});
 }
 
 void Simulation::wall_pass() {

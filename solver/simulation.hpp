@@ -100,6 +100,7 @@ class Simulation {
     std::optional<Instability> last_kick(double dt);
     std::optional<Instability> body_trouble(double dt) const;
     void mark_impacts();
+    void soak(std::initializer_list<std::vector<double>*> rates);
     void density_pass();
     void wall_pass();
     void momentum_pass();

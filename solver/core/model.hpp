@@ -40,6 +40,7 @@ struct Model {
     WallPressure wall_pressure = WallPressure::shepard_water;
     WallVelocity wall_velocity = WallVelocity::mirrored;
     double wall_dissipation = 3;  ///< limiter slope of the wall-normal dissipation, 0 for none
+    double sponge_thickness = 0;  ///< of the layer along the tank's walls [m], 0 for none
     bool tension = true;          ///< false: density is kept at or above the reference (water without air)
 
     double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing

@@ -150,6 +150,16 @@ double distance_to(const Outline& outline, Vec2 point) {
     return bg::within(p, polygon) ? -distance : distance;
 }
 
+bool contains(const Outline& outline, Vec2 point) {
+    bool inside = false;
+    for (std::size_t k = 0, last = outline.size() - 1; k < outline.size(); last = k++) {
+        const Vec2 a = outline[k], b = outline[last];
+        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
+        if (point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y())) inside = !inside;
+    }
+    return inside;
+}
+
 bool overlap(const Outline& a, const Outline& b) {
     return bg::intersects(polygon_of(a), polygon_of(b));
 }

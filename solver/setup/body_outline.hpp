@@ -22,6 +22,10 @@ void check_outline(const Outline& outline);
 /// Signed distance of a point from the outline [m], negative inside.
 double distance_to(const Outline& outline, Vec2 point);
 
+/// Whether a point lies inside, by counting sides; cheap enough to ask of every particle. Points on a side
+/// may count either way.
+bool contains(const Outline& outline, Vec2 point);
+
 bool overlap(const Outline& a, const Outline& b);
 bool inside(const Outline& outline, Box box);
 

@@ -66,6 +66,7 @@ Model two_phase_model() {
     model.wall_pressure = WallPressure::shepard_water;
     model.wall_velocity = WallVelocity::mirrored;
     model.wall_dissipation = 3;
+    model.sponge_thickness = 0;
     model.tension = true;
     model.smoothing_ratio = 1.25;
     model.courant_number = 0.5;

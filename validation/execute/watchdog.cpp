@@ -17,10 +17,13 @@ std::optional<Instability> find_inside(const std::vector<Hull>& hulls, const Sim
     const FluidParticles& fluid = simulation.fluid();
     for (std::size_t b = 0; b < hulls.size(); ++b) {
         const RigidBody& body = simulation.bodies()[b];
+        const Eigen::Matrix2d into_frame = body.axes().transpose();
         for (std::size_t i = 0; i < fluid.size(); ++i) {
             const Vec2 place = fluid.state[i].position();
             if ((place - body.position).squaredNorm() > hulls[b].radius * hulls[b].radius) continue;
-            const double depth = -distance_to(hulls[b].outline, body.local(place));
+            const Vec2 local = into_frame * (place - body.position);
+            if (!contains(hulls[b].outline, local)) continue;
+            const double depth = -distance_to(hulls[b].outline, local);
             if (depth <= simulation.particle_spacing()) continue;
             return Instability{simulation.time(), simulation.steps(), fluid.id[i], place,
                                fmt::format("{} is {:.3g} m deep inside body {}, more than one spacing",

@@ -106,6 +106,7 @@ void read_model(const TomlTable& root, Scene& scene) {
     m.wall_velocity = named(model, "wall_velocity", m.wall_velocity, wall_velocities);
     m.wall_dissipation = share(model, "wall_dissipation", m.wall_dissipation);
     m.wall_slip = named(model, "wall_slip", m.wall_slip, slips);
+    m.sponge_thickness = share(model, "sponge_thickness", m.sponge_thickness);
     m.tension = model.boolean_or("tension", scene.air);
     m.smoothing_ratio = model.number_or("smoothing_ratio", m.smoothing_ratio);
     if (!(m.smoothing_ratio >= 1 && m.smoothing_ratio <= 3)) {
