@@ -19,6 +19,7 @@ struct SuiteRow {
     double estimated_core_seconds = 0;
     std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of the sensitivity study
     std::filesystem::path directory;     ///< of the run
+    std::optional<double> until = {};    ///< stop time [s], the scene's if absent
 };
 
 struct SuiteOptions {
@@ -51,6 +52,9 @@ void print_plan(const SuiteOptions& options);
 /// code of a row (0, 3, or 2 and 4 for failures), where a `paper` variant that becomes unstable has done its
 /// work.
 int run_suite(const SuiteOptions& options);
+
+/// The same for these rows, started in their order.
+int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options);
 
 /// Where rows of the sensitivity study lie: DIR/sensitivity/SCENE/KEY=VALUE
 std::filesystem::path sensitivity_path(const std::filesystem::path& directory, const std::string& scene,
