@@ -117,7 +117,7 @@ TEST_CASE("ablate judges every ingredient, reuses its runs, and shows its table 
     const auto full = folder / "out/runs/small/single-phase/dx0.04/run.h5";
     const std::string before = samples::bytes_of(full);
     CHECK_THAT(run_program(ablate(scene, folder, "0.04")).out, Contains("0 runs to do"));
-    REQUIRE(run_program(ablate(scene, folder, "0.08")).code == 0);  // adds its rows
+    REQUIRE(run_program(ablate(scene, folder, "0.05")).code == 0);  // adds its rows
     CHECK(json_in(folder / "out/ablation.json").at("rows").size() == 2 * rows.size());
 
     std::vector<std::string> shorter = ablate(scene, folder, "0.04");

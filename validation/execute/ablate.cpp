@@ -14,6 +14,7 @@
 #include "validation/metrics/stored_tables.hpp"
 #include "validation/scene/ingredients.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/checkpoint.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
 
@@ -161,7 +162,8 @@ bool run_ablation(const AblateOptions& options, const SuiteOptions& suite) {
     const fs::path folder =
         suite.directory / ablation_folder / full.lexically_relative(suite.directory / "runs");
     const std::vector<SuiteRow> rows = rows_of(plan, scene, options, dx, full, folder);
-    if (options.until && holds_finished_run(full) && !finished(rows.front()))
+    const bool taken = holds_finished_run(full) || !list_checkpoints(full).empty();
+    if (options.until && taken && !finished(rows.front()) && !interrupted(rows.front()))
         throw InputError(
             fmt::format("{}: holds a run of another length, expected --out with another directory, or no "
                         "--until",
