@@ -53,7 +53,7 @@ std::string rate_text(const Measured& rate) {
 template <class Cell>
 std::string line(const std::string& label, const Benchmark& benchmark, const Cell& cell) {
     std::string out = fmt::format("{:<34}", label);
-    for (const BenchmarkCase& c : benchmark.cases) out += fmt::format("{:>16}", cell(c));
+    for (const BenchmarkCase& c : benchmark.cases) out += fmt::format("{:>20}", cell(c));
     return out + "\n";
 }
 

@@ -126,10 +126,11 @@ std::string changes_text(const Judged& judged) {
 }
 
 void print_table(const std::vector<Judged>& table) {
-    fmt::print("{:<50} {:>10} {:>10} {:>11}  {}\n", "ingredient", "core s", "error", "", "why; changes");
+    fmt::print("{:<54} {:>10} {:>10} {:>11}  {}\n", "ingredient", "core s", "error", "verdict",
+               "why; changes");
     for (const Judged& j : table) {
         const bool both = j.stable_with && j.stable_without;
-        fmt::print("{:<50} {:>10} {:>10} {:>11}  {}{}\n", j.row.ingredient,
+        fmt::print("{:<54} {:>10} {:>10} {:>11}  {}{}\n", j.row.ingredient,
                    j.row.core_s_ratio ? fmt::format("x{:.2f}", *j.row.core_s_ratio) : "-",
                    j.row.error_change ? fmt::format("{:+.3g}", *j.row.error_change) : "-",
                    j.verdict.needed ? "needed" : "not needed", j.verdict.reason,
@@ -152,7 +153,8 @@ void merge_rows(const fs::path& directory, const Scene& scene, double dx, const 
 
 }  // namespace
 
-bool run_ablation(const AblateOptions& options, const SuiteOptions& suite) {
+bool run_ablation(const AblateOptions& options, SuiteOptions suite) {
+    suite.threads = 1;
     const Scene scene = read_scene(find_scene(options.scene), options.variant);
     const double dx =
         options.particle_spacing != 0 ? options.particle_spacing : coarsest_quick_spacing(scene);

@@ -20,8 +20,9 @@ struct AblateOptions {
 /// Runs the plan of the scene (ablation_plan) as processes, finished ones reused: the full model where a
 /// suite would put it, the others in DIR/ablation/SCENE/VARIANT/dxDX/. Prints a table, puts the rows into
 /// DIR/ablation.json (others that it holds stay) and every number into table.json beside the runs. `suite`
-/// says where and with how many processes. Returns whether the full model stayed stable. Throws InputError
-/// where DIR holds another run of the full model that `until` would replace.
-bool run_ablation(const AblateOptions& options, const SuiteOptions& suite);
+/// says where and with how many processes, of one thread each: waiting threads would blur the cost. Returns
+/// whether the full model stayed stable. Throws InputError where DIR holds another run of the full model that
+/// `until` would replace.
+bool run_ablation(const AblateOptions& options, SuiteOptions suite);
 
 }  // namespace wetdeck

@@ -153,7 +153,9 @@ bool interrupted(const SuiteRow& row) {
 
 std::string row_name(const SuiteRow& row) {
     const std::string name = fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
-    return row.overrides.empty() ? name : fmt::format("{} {}", name, fmt::join(row.overrides, " "));
+    if (row.overrides.empty()) return name;
+    return name + " " +
+           (row.overrides.size() == 1 ? row.overrides.front() : row.directory.filename().string());
 }
 
 void print_plan(const SuiteOptions& options) {

@@ -37,7 +37,8 @@ struct SuiteOptions {
 /// middle spacing of the default variant). Throws InputError for an unknown tier or scene.
 std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
 
-/// "scene variant dx SPACING".
+/// "scene variant dx SPACING", with what is changed behind it: the override, or where there are several the
+/// name of the directory.
 std::string row_name(const SuiteRow& row);
 
 /// Whether the directory holds this very run, ended; whether it holds a part of it to go on from.
