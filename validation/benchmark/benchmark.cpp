@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <ctime>
 
 #include "solver/core/errors.hpp"
 #include "validation/execute/assemble.hpp"
@@ -28,6 +29,12 @@ constexpr std::array<std::pair<const char*, double StageTimes::*>, 6> timed_stag
      {"bodies", &StageTimes::bodies},
      {"neighbours", &StageTimes::neighbours},
      {"integration", &StageTimes::integration}}};
+
+double processor_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
 
 /// 1, 2, 4, ... and the largest.
 std::vector<int> thread_counts(int largest) {
@@ -96,22 +103,26 @@ BenchmarkCase measure(const Scene& scene, const Simulation::State& start, const 
     result.listed = listed / static_cast<double>(simulation.neighbours().clusters().size());
 
     const double work = particles * steps_per_repeat;
-    std::vector<double> rates, density_seconds, momentum_seconds, step_seconds;
+    std::vector<double> rates, core_rates, processor_shares, density_seconds, momentum_seconds, step_seconds;
     std::array<std::vector<double>, timed_stages.size()> stage_rates;
     double builds = 0;
     for (int repeat = 0; repeat < options.repeats; ++repeat) {
         simulation.restore(start);
         const StageTimes before = simulation.stage_times();
         const std::uint64_t builds_before = simulation.list_builds();
+        const double processor_before = processor_seconds();
         const auto begin = std::chrono::steady_clock::now();
         for (int step = 0; step < steps_per_repeat; ++step) {
             if (const auto trouble = simulation.step(scene.end_time))
                 throw InputError(fmt::format("the dam break becomes unstable: {}", trouble->describe()));
         }
         const auto end = std::chrono::steady_clock::now();
+        const double processor = processor_seconds() - processor_before;
         const StageTimes& after = simulation.stage_times();
         const double seconds = std::chrono::duration<double>(end - begin).count();
         rates.push_back(work / seconds);
+        core_rates.push_back(work / processor);
+        processor_shares.push_back(processor / (seconds * threads));
         step_seconds.push_back(seconds / steps_per_repeat);
         density_seconds.push_back((after.density - before.density) / steps_per_repeat);
         momentum_seconds.push_back((after.momentum - before.momentum) / steps_per_repeat);
@@ -122,6 +133,8 @@ BenchmarkCase measure(const Scene& scene, const Simulation::State& start, const 
         builds = static_cast<double>(simulation.list_builds() - builds_before);
     }
     result.rate = measured(rates);
+    result.core_rate = measured(core_rates);
+    result.processor_share = median_of(processor_shares);
     for (std::size_t k = 0; k < timed_stages.size(); ++k)
         result.stages.emplace_back(timed_stages[k].first, measured(stage_rates[k]));
     // a list that outlives the repeat is reused at least that long

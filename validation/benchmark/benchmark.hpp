@@ -30,8 +30,10 @@ struct BenchmarkCase {
     std::string variant;
     int phases = 1;
     int threads = 1;
-    std::size_t particles = 0;                             ///< of fluid
-    Measured rate;                                         ///< particle-steps/s of whole steps, wall time
+    std::size_t particles = 0;   ///< of fluid
+    Measured rate;               ///< particle-steps/s of whole steps, wall time
+    Measured core_rate;          ///< particle-steps per processor second: what a busy machine leaves alone
+    double processor_share = 0;  ///< processor time over wall time and threads; below 1: others were at work
     std::vector<std::pair<std::string, Measured>> stages;  ///< particle-steps/s; 0 where there is no work
     double neighbours = 0;          ///< within the kernel's support, of a fluid particle: fluid and walls
     double listed = 0;              ///< neighbours in the list of its cluster
