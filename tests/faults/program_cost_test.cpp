@@ -45,6 +45,8 @@ TEST_CASE("bench measures every stage, and no pass beats the limits of the machi
         CHECK(one.at("threads") == 1 + n % 2);
         CHECK(one.at("particle_steps_per_s").at("median") > 0);
         CHECK(one.at("particle_steps_per_s").at("mad") >= 0);
+        CHECK(one.at("particle_steps_per_core_s").at("median") > 0);
+        CHECK(one.at("processor_share") > 0);
         for (const char* stage : {"density", "momentum", "walls", "neighbours", "integration"}) {
             // a stage alone is faster than the whole step
             CHECK(one.at("stages_particle_steps_per_s").at(stage).at("median") >
