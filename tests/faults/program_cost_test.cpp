@@ -100,7 +100,7 @@ TEST_CASE("ablate judges every ingredient, reuses its runs, and shows its table 
     const json summary = json_in(folder / "out/summary.json");
     CHECK(summary.at("ablation") == rows);
     REQUIRE(summary.at("runs").size() == 1);  // runs of the study are no runs of the scene
-    const json& value = summary.at("runs")[0].at("quantities")[0].at("value");
+    const json& value = summary.at("runs")[0].at("qoi").at("front_mean").at("value");
     const json table = json_in(folder / "out/ablation/small/single-phase/dx0.04/table.json").at("rows");
     REQUIRE(table.size() == rows.size());
     for (std::size_t n = 0; n < rows.size(); ++n) {
