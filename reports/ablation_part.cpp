@@ -24,7 +24,12 @@ std::string ablation_table(const Summary& summary, const AnalysisSpec& scene) {
            paragraph(
                "One ingredient left out at a time. Change of the error: " +
                    (scene.error_quantity.empty() ? std::string("the scene's error") : scene.error_quantity) +
-                   ", without it minus with it; a dash where the run without it did not reach its end.",
+                   ", without it minus with it; a dash where a run did not reach its end or its variant has "
+                   "no such quantity. Needed at this "
+                   "accuracy: unstable without it, or a quantity is not reached, or the error of one with an "
+                   "expected value grows by more than a quarter of its tolerance, or one without moves by "
+                   "more "
+                   "than its range over the spacings.",
                "soft");
 }
 

@@ -98,7 +98,6 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
     evaluate();
 }
 
-/// All that passes read.
 PassInput Simulation::inputs() const {
     PassInput in = coefficients_;
     in.fluid = fluid_.state.data();

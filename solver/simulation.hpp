@@ -81,6 +81,9 @@ class Simulation {
     /// present state.
     double momentum_error() const;
 
+    /// All that passes read of the present state, for who runs one by itself; its outputs are not set.
+    PassInput inputs() const;
+
     /// Everything that decides the bits of what follows, with counters and timers.
     struct State {
         std::map<std::string, std::vector<double>> arrays;
@@ -92,7 +95,6 @@ class Simulation {
     void restore(const State& state);
 
   private:
-    PassInput inputs() const;
     PassInput pass_input();
     void build_list();
     void first_kick(double dt);

@@ -50,8 +50,8 @@ std::vector<RunSummary> runs_below(const fs::path& directory, const fs::path& ro
     return runs;
 }
 
-bool of_sensitivity_study(const RunSummary& run) {
-    return *fs::path(run.directory).begin() == "sensitivity";
+bool lies_in(const RunSummary& run, const char* folder) {
+    return *fs::path(run.directory).begin() == folder;
 }
 
 /// What every stored run of the directory is: a row of the tier, or of the sensitivity study.
@@ -66,7 +66,8 @@ StoredRuns read_runs(const fs::path& directory) {
         throw InputError(fmt::format("{}: no such directory", directory.string()));
     StoredRuns stored;
     for (RunSummary& run : runs_below(directory, directory)) {
-        if (!of_sensitivity_study(run)) {
+        if (lies_in(run, ablation_folder)) continue;
+        if (!lies_in(run, "sensitivity")) {
             stored.runs.push_back(std::move(run));
             continue;
         }

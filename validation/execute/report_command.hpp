@@ -10,9 +10,13 @@
 
 namespace wetdeck {
 
-/// Reads every run.h5 below `directory` (those below sensitivity/ as rows of that study) and what the other
-/// commands left there, and analyses them. The tier is the one that suite.json names. Throws InputError if
-/// there is no run, DataError for a run that cannot be read.
+/// Where the runs of ablation studies lie below a directory of runs.
+inline constexpr const char* ablation_folder = "ablation";
+
+/// Reads every run.h5 below `directory` (those below sensitivity/ as rows of that study; those of ablation
+/// studies are left out: their table says what they gave) and what the other commands left there, and
+/// analyses them. The tier is the one that suite.json names. Throws InputError if there is no run, DataError
+/// for a run that cannot be read.
 Summary analyse_directory(const std::filesystem::path& directory);
 
 /// The same, and writes summary.json, index.html and figures/.

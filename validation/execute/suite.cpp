@@ -33,6 +33,7 @@ std::string identity_of(const SuiteRow& row) {
     const Scene scene = read_scene(find_scene(row.scene), row.variant, row.overrides);
     RunOptions options;
     options.particle_spacing = row.particle_spacing;
+    options.until = row.until;
     return identity_of(scene, options);
 }
 
@@ -49,6 +50,10 @@ pid_t start(const SuiteRow& row, int threads, const SuiteOptions& options) {
                                           thread_text, "--out", directory, "--checkpoint-interval",
                                           interval};
     if (options.fresh || !interrupted(row)) arguments.emplace_back("--replace");
+    if (row.until) {
+        arguments.emplace_back("--until");
+        arguments.push_back(fmt::format("{}", *row.until));
+    }
     for (const std::string& assignment : row.overrides) {
         arguments.emplace_back("--set");
         arguments.push_back(assignment);
@@ -148,7 +153,9 @@ bool interrupted(const SuiteRow& row) {
 
 std::string row_name(const SuiteRow& row) {
     const std::string name = fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
-    return row.overrides.empty() ? name : name + " " + row.overrides.front();
+    if (row.overrides.empty()) return name;
+    return name + " " +
+           (row.overrides.size() == 1 ? row.overrides.front() : row.directory.filename().string());
 }
 
 void print_plan(const SuiteOptions& options) {
@@ -201,8 +208,12 @@ std::vector<SuiteRow> suite_rows(const SuiteOptions& options) {
 }
 
 int run_suite(const SuiteOptions& options) {
+    return run_rows(chosen_rows(options), options);
+}
+
+int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options) {
     std::vector<SuiteRow> waiting;
-    for (const SuiteRow& row : chosen_rows(options)) {
+    for (const SuiteRow& row : rows) {
         if (!options.fresh && finished(row)) {
             fmt::print("  {}: finished before, reused\n", row_name(row));
         } else {

@@ -19,6 +19,7 @@ struct SuiteRow {
     double estimated_core_seconds = 0;
     std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of the sensitivity study
     std::filesystem::path directory;     ///< of the run
+    std::optional<double> until = {};    ///< stop time [s], the scene's if absent
 };
 
 struct SuiteOptions {
@@ -36,7 +37,8 @@ struct SuiteOptions {
 /// middle spacing of the default variant). Throws InputError for an unknown tier or scene.
 std::vector<SuiteRow> suite_rows(const SuiteOptions& options);
 
-/// "scene variant dx SPACING".
+/// "scene variant dx SPACING", with what is changed behind it: the override, or where there are several the
+/// name of the directory.
 std::string row_name(const SuiteRow& row);
 
 /// Whether the directory holds this very run, ended; whether it holds a part of it to go on from.
@@ -51,6 +53,9 @@ void print_plan(const SuiteOptions& options);
 /// code of a row (0, 3, or 2 and 4 for failures), where a `paper` variant that becomes unstable has done its
 /// work.
 int run_suite(const SuiteOptions& options);
+
+/// The same for these rows, started in their order.
+int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options);
 
 /// Where rows of the sensitivity study lie: DIR/sensitivity/SCENE/KEY=VALUE
 std::filesystem::path sensitivity_path(const std::filesystem::path& directory, const std::string& scene,

@@ -6,9 +6,12 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
+#include "validation/benchmark/benchmark.hpp"
+#include "validation/execute/ablate.hpp"
 #include "validation/execute/assemble.hpp"
 #include "validation/execute/baseline.hpp"
 #include "validation/execute/publish.hpp"
@@ -18,8 +21,10 @@
 #include "validation/execute/stop_signal.hpp"
 #include "validation/execute/suite.hpp"
 #include "validation/execute/verify.hpp"
+#include "validation/metrics/ablation.hpp"
 #include "validation/metrics/reference.hpp"
 #include "validation/program/describe.hpp"
+#include "validation/store/atomic_write.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -46,6 +51,9 @@ struct Options {
     bool plan = false;
     std::string executor = "local";
     SlurmOptions slurm;
+    // bench
+    BenchmarkOptions bench;
+    std::string json_file;
     // verify
     VerifyOptions verify;
     // report, baseline
@@ -136,6 +144,28 @@ int verify_command(Options& options) {
     return all_within(results) ? exit_done : exit_outside;
 }
 
+int ablate_command(Options& options) {
+    options.suite.directory =
+        options.out.empty() ? fs::path("results") / options.suite.tier : fs::path(options.out);
+    options.suite.checkpoint_interval = options.checkpoint_interval;
+    AblateOptions ablate;
+    ablate.scene = options.scene;
+    if (!options.variant.empty()) ablate.variant = options.variant;
+    ablate.particle_spacing = options.particle_spacing;
+    if (options.until != 0) ablate.until = options.until;
+    const bool stable = run_ablation(ablate, options.suite);
+    fmt::print("report: {}\n", (options.suite.directory / "index.html").string());
+    return stable ? exit_done : exit_unstable;
+}
+
+int bench_command(const Options& options, bool as_json) {
+    const Benchmark benchmark = run_benchmark(options.bench);
+    const std::string text = benchmark_json(benchmark).dump(1) + "\n";
+    if (!options.json_file.empty()) atomic_write(options.json_file, text);
+    fmt::print("{}", as_json && options.json_file.empty() ? text : benchmark_table(benchmark));
+    return exit_done;
+}
+
 int report_command(const Options& options) {
     const Summary summary = make_report(options.out);
     fmt::print("report: {}\n", (fs::path(options.out) / "index.html").string());
@@ -197,9 +227,10 @@ int dispatch(int argc, char** argv) {
         "Exit codes: 0 done and within tolerance, 1 outside a stated tolerance, 2 bad usage or input,\n"
         "3 a run became unstable, 4 the environment failed (disk full, no permission),\n"
         "130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM.\n"
-        "run, resume and suite stop cleanly: each run writes a checkpoint and says how to go on (`wetdeck "
+        "run, resume, suite and ablate stop cleanly: each run writes a checkpoint and says how to go on "
+        "(`wetdeck "
         "resume\n"
-        "RUN_DIR`, or the same suite command again). A second signal ends the program at once; then, as "
+        "RUN_DIR`, or the same command again). A second signal ends the program at once; then, as "
         "after\n"
         "kill -9 or a power cut, the last periodic checkpoint counts.");
 
@@ -251,6 +282,33 @@ int dispatch(int argc, char** argv) {
             ->check(CLI::Range(0.0, 1e9))
             ->capture_default_str();
 
+    CLI::App* ablate = app.add_subcommand(
+        "ablate", "leave out one ingredient of a scene's model at a time: what it buys and costs");
+    ablate->add_option("scene", options.scene, "name or path")->required();
+    ablate->add_option("--variant", options.variant, "variant of the scene (its default)");
+    ablate->add_option("--dx", options.particle_spacing,
+                       "particle spacing [m] (the coarsest of the quick tier)");
+    ablate->add_option("--until", options.until, "stop time [s] (the scene's)");
+    ablate->add_option("--out", options.out, "directory of the results (results/quick)");
+    ablate->add_option("--jobs", options.suite.jobs, "runs at a time (one per core)")
+        ->check(CLI::Range(1, 4096));
+    ablate->add_flag("--fresh", options.suite.fresh, "run again what is finished");
+    ablate->footer(std::string("Verdict: ") + ablation_rule + ".");
+
+    CLI::App* bench = app.add_subcommand(
+        "bench", "speed of the solver by stage and threads, and its share of what this machine could do");
+    bench->add_option("--threads", options.bench.threads, "largest number of threads (all)")
+        ->check(CLI::Range(1, 4096));
+    bench->add_option("--dx", options.bench.particle_spacing, "particle spacing of the dam break [m]")
+        ->check(CLI::Range(1e-6, 1e3))
+        ->capture_default_str();
+    bench->add_option("--repeats", options.bench.repeats, "of each measurement")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    CLI::Option* bench_json =
+        bench->add_option("--json", options.json_file, "JSON to this file, or instead of the table")
+            ->expected(0, 1);
+
     CLI::App* verify =
         app.add_subcommand("verify", "problems with exact solutions: error and observed order");
     verify->add_option("--only", options.verify.problems, "problems to run, separated by commas")
@@ -290,11 +348,13 @@ int dispatch(int argc, char** argv) {
         return exit_usage;
     }
     if (version) return version_command();
-    if (*run || *resume || *suite) catch_stop_signals();
+    if (*run || *resume || *suite || *ablate) catch_stop_signals();
     if (*suite) return suite_command(options);
     if (*run) return run_command(options);
     if (*resume) return resume_command(options);
     if (*verify) return verify_command(options);
+    if (*ablate) return ablate_command(options);
+    if (*bench) return bench_command(options, bench_json->count() > 0);
     if (*report) return report_command(options);
     if (*baseline) return baseline_command(options);
     if (*list) return print_list(options.json), exit_done;
