@@ -26,7 +26,7 @@ RigidBody half_as_heavy() {
 }
 
 /// A body thrown far from a puddle that falls with it.
-void free_flight(Findings& findings) {
+void fly(Findings& findings) {
     const double dx = 0.05, duration = 0.5;
     Setup setup(water_model(30, gravity), {{-4, -4}, {4, 4}}, dx, false);
     setup.fill(Phase::water, {{3, 3}, {3.2, 3.2}});
@@ -98,22 +98,13 @@ void at_rest(Findings& findings) {
     findings.figure(std::move(figure));
 }
 
-void run(Findings& findings) {
-    free_flight(findings);
-    at_rest(findings);
-}
-
 }  // namespace
 
-Problem floating_body() {
+Problem free_flight() {
     Problem problem;
-    problem.name = "floating_body";
-    problem.title = "Free flight and floating of a body";
-    problem.exact =
-        "Parabola and even rotation without fluid; Archimedes: a pontoon half as heavy as water floats at "
-        "half its height, and held "
-        "there feels its displaced weight.";
-    const std::string resolution = "dx / height of the body";
+    problem.name = "free_flight";
+    problem.title = "Free fall and rotation of a body";
+    problem.exact = "Parabola and even rotation without fluid.";
     problem.claims = {
         {"free_fall",
          "distance from the parabola over the way, half a second",
@@ -122,6 +113,20 @@ Problem floating_body() {
          {},
          "the integrator is exact for even acceleration: rounding of some hundred steps"},
         {"free_rotation", "relative error of the angle of free rotation", "none", 1e-11, {}, "rounding"},
+    };
+    problem.run = fly;
+    return problem;
+}
+
+Problem floating_body() {
+    Problem problem;
+    problem.name = "floating_body";
+    problem.title = "Floating body";
+    problem.exact =
+        "Archimedes: a pontoon half as heavy as water floats at half its height, and held there feels its "
+        "displaced weight.";
+    const std::string resolution = "dx / height of the body";
+    problem.claims = {
         {"buoyancy", "relative error of the mean force on the held body", resolution, 0.15, Window{0.5, 2.5},
          "half a spacing of displaced water all round: 0.04 m / 2 of the draught of 0.2 m, 10 %, and twice "
          "as much of the beam of 0.8 m, 5 %; first order"},
@@ -145,7 +150,7 @@ Problem floating_body() {
          "metacentric height beam^2 / (12 draught) - side / 4 = 0.17 m: it rights itself; a spacing of 0.04 "
          "m over the beam would be 0.05"},
     };
-    problem.run = run;
+    problem.run = at_rest;
     return problem;
 }
 

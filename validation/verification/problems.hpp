@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every problem with an exact solution, in the order of the report. One file each, named like its function.
+// Every problem with an exact solution, in the order of the report. One file each, named like its function;
+// free flight is in floating_body.cpp.
 #pragma once
 
 #include <vector>
@@ -20,6 +21,7 @@ Problem block_impact();
 Problem trapped_air_piston();
 Problem ritter();
 Problem released_column();
+Problem free_flight();
 Problem floating_body();
 
 const std::vector<Problem>& all_problems();
