@@ -16,6 +16,7 @@
 #include "validation/execute/run.hpp"
 #include "validation/execute/slurm.hpp"
 #include "validation/execute/stop_signal.hpp"
+#include "validation/execute/stress.hpp"
 #include "validation/execute/suite.hpp"
 #include "validation/execute/verify.hpp"
 #include "validation/metrics/reference.hpp"
@@ -48,6 +49,8 @@ struct Options {
     SlurmOptions slurm;
     // verify
     VerifyOptions verify;
+    // stress
+    StressOptions stress;
     // report, baseline
     std::string publish, action, baseline;
     // all
@@ -134,6 +137,15 @@ int verify_command(Options& options) {
     fmt::print("report: {}\n", (verify.directory / "index.html").string());
     if (any_unstable(results)) return exit_unstable;
     return all_within(results) ? exit_done : exit_outside;
+}
+
+int stress_command(Options& options) {
+    StressOptions& stress = options.stress;
+    stress.directory = options.out.empty() ? fs::path("results") / "stress" : fs::path(options.out);
+    const bool survived = run_stress(stress);
+    make_report(stress.directory);
+    fmt::print("report: {}\n", (stress.directory / "index.html").string());
+    return survived ? exit_done : exit_outside;
 }
 
 int report_command(const Options& options) {
@@ -258,6 +270,15 @@ int dispatch(int argc, char** argv) {
     verify->add_option("--out", options.out, "directory of the results (results/verification)");
     verify->add_flag("--fast", options.verify.fast, "coarse resolutions of the quick problems only");
 
+    CLI::App* stress = app.add_subcommand(
+        "stress", "hard cases: what the default scheme, the paper's and none of the dissipation survive");
+    stress->add_option("--only", options.stress.cases, "cases to run, separated by commas")->delimiter(',');
+    stress->add_option("--out", options.out, "directory of the results (results/stress)");
+    stress->add_option("--jobs", options.stress.jobs, "runs at a time (one per core)")
+        ->check(CLI::Range(1, 4096));
+    stress->add_flag("--fast", options.stress.fast,
+                     "the quick settings with the default scheme alone, no search for limits");
+
     CLI::App* report = app.add_subcommand("report", "write the report again from the stored runs alone");
     report->add_option("directory", options.out, "directory of a suite or a run")->required();
 
@@ -273,7 +294,8 @@ int dispatch(int argc, char** argv) {
     baseline->add_option("--file", options.baseline, "the baseline, a JSON file")->required();
     baseline->add_flag("--replace", options.replace, "replace the baseline that is there");
 
-    CLI::App* list = app.add_subcommand("list", "scenes and their variants, problems with exact solutions");
+    CLI::App* list =
+        app.add_subcommand("list", "scenes and their variants, problems with exact solutions, hard cases");
     list->add_flag("--json", options.json, "as JSON");
     CLI::App* describe = app.add_subcommand("describe", "set-up, references and cost of one scene");
     describe->add_option("scene", options.scene, "name or path")->required();
@@ -295,6 +317,7 @@ int dispatch(int argc, char** argv) {
     if (*run) return run_command(options);
     if (*resume) return resume_command(options);
     if (*verify) return verify_command(options);
+    if (*stress) return stress_command(options);
     if (*report) return report_command(options);
     if (*baseline) return baseline_command(options);
     if (*list) return print_list(options.json), exit_done;

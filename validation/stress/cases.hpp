@@ -20,10 +20,10 @@ struct Setting {
 
 /// A quantity whose limit is searched, with the default scheme.
 struct Search {
-    std::string name;           ///< what is run
-    std::string quantity;       ///< with its unit
-    double from = 1, to = 1;    ///< the setting in use, and the far end of the search
-    double ratio = 1.1;         ///< how close the limit is wanted
+    std::string name;         ///< what is run
+    std::string quantity;     ///< with its unit
+    double from = 1, to = 1;  ///< the setting in use, and the far end of the search
+    double ratio = 1.1;       ///< how close the limit is wanted
     std::function<Trial(double)> build;
 };
 

@@ -24,8 +24,7 @@ Setting deadrise(double degrees) {
 
 Entry box(double width, double height) {
     Entry entry;
-    entry.outline = {
-        {-0.5 * width, 0}, {0.5 * width, 0}, {0.5 * width, height}, {-0.5 * width, height}};
+    entry.outline = {{-0.5 * width, 0}, {0.5 * width, 0}, {0.5 * width, height}, {-0.5 * width, height}};
     entry.tank = {1.2, 0.7};
     entry.depth = 0.4;
     entry.particle_spacing = 0.00625;
@@ -40,7 +39,8 @@ Entry box(double width, double height) {
 std::vector<Setting> thin_plates() {
     std::vector<Setting> settings;
     for (const double spacings : {3.1, 4.0, 6.0})
-        settings.push_back(setting(fmt::format("flat, {:g} spacings", spacings), box(0.25, spacings * 0.00625)));
+        settings.push_back(
+            setting(fmt::format("flat, {:g} spacings", spacings), box(0.25, spacings * 0.00625)));
     settings.push_back(setting("edge on, 3.1 spacings", box(3.1 * 0.00625, 0.15)));
     return settings;
 }
@@ -68,13 +68,16 @@ Setting density(double over_water) {
 }  // namespace
 
 std::vector<Case> entry_cases() {
-    return {{"entry_speed", "wedge of 30 degrees, speed",
+    return {{"entry_speed",
+             "wedge of 30 degrees, speed",
              {speed(1), speed(3), speed(6.15), speed(10), speed(20), speed(30)}},
-            {"deadrise", "wedge at 6.15 m/s, deadrise",
+            {"deadrise",
+             "wedge at 6.15 m/s, deadrise",
              {deadrise(0), deadrise(4), deadrise(10), deadrise(30), deadrise(60)}},
             {"thin_plate", "plate at 5.5 m/s, thickness", thin_plates()},
             {"air_film", "plate at 5.5 m/s, air under it at the start", {film(4), film(2), film(1)}},
-            {"body_density", "floating or sinking box, density",
+            {"body_density",
+             "floating or sinking box, density",
              {density(0.02), density(0.1), density(0.5), density(2), density(20)}}};
 }
 

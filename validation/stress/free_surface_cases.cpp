@@ -18,8 +18,7 @@ constexpr double gravity = 9.81;
 /// Jets of unit speed, 0.8 m long, the second shifted sideways.
 Trial jets(Scheme scheme, double mach, double shift, bool air) {
     constexpr double dx = 0.02, thickness = 0.2, from = 0.1, to = 0.9, half_width = 1.2, half_height = 1;
-    Model model = air ? two_phase_model(1 / mach, 10 / mach, 1000 * 0.25 / mach)
-                      : water_model(1 / mach);
+    Model model = air ? two_phase_model(1 / mach, 10 / mach, 1000 * 0.25 / mach) : water_model(1 / mach);
     model.tension = air;
     apply(scheme, model);
     Setup setup(model, {{-half_width, -half_height}, {half_width, half_height}}, dx, true);
@@ -129,18 +128,23 @@ std::vector<Case> free_surface_cases() {
     };
     Setting supersonic = jet("Mach 0.5, no air", 0.5, 0, false);
     supersonic.beyond = "weakly compressible water needs a Mach number well below 0.3";
-    return {{"colliding_jets", "two jets of 0.2 m, speed over the sound speed",
+    return {{"colliding_jets",
+             "two jets of 0.2 m, speed over the sound speed",
              {jet("Mach 0.05, no air", 0.05, 0, false), jet("Mach 0.1, no air", 0.1, 0, false, true),
               jet("Mach 0.1, shifted by half, no air", 0.1, 0.1, false), supersonic,
               jet("Mach 0.05, in air", 0.05, 0, true), jet("Mach 0.1, in air", 0.1, 0, true)}},
-            {"falling_column", "column of water falling on trapped air",
+            {"falling_column",
+             "column of water falling on trapped air",
              {column(0, 340), column(5, 340), column(10, 340), column(5, 170), column(8, 170)}},
-            {"sloshing", "two levels in a low tank: impact on wall and roof around a pocket of air",
+            {"sloshing",
+             "two levels in a low tank: impact on wall and roof around a pocket of air",
              {slosh("half full", {0.5, 0.2}), slosh("nearly full", {0.56, 0.4})}},
-            {"square_patch", "rotating square started without pressure",
+            {"square_patch",
+             "rotating square started without pressure",
              {patch("omega t = 2, no air", 2, false), patch("omega t = 4, no air", 4, false),
               patch("omega t = 2, in air", 2, true)}},
-            {"still_water", "water at rest under air",
+            {"still_water",
+             "water at rest under air",
              {{"1e4 steps", still_water<10'000>, true}, {"1e5 steps", still_water<100'000>}}}};
 }
 

@@ -31,9 +31,11 @@ Setting viscosities(double water, double air) {
 }  // namespace
 
 std::vector<Case> material_cases() {
-    return {{"density_ratio", "dam break, density of the water over that of the air",
+    return {{"density_ratio",
+             "dam break, density of the water over that of the air",
              {density_ratio(10), density_ratio(100), density_ratio(1000), density_ratio(1e4)}},
-            {"viscosity_ratio", "dam break, viscosity of the water over that of the air",
+            {"viscosity_ratio",
+             "dam break, viscosity of the water over that of the air",
              {viscosities(1e-3, 1e-5), viscosities(10, 1e-5), viscosities(1e-3, 0.1), viscosities(1e-3, 1)}}};
 }
 

@@ -30,25 +30,36 @@ std::vector<Setting> dam_breaks(Parameter set, const std::vector<double>& values
 }
 
 Search dam_break_limit(std::string quantity, Parameter set, double from, double to) {
-    return {"dam_break", std::move(quantity), from, to, 1.1,
-            [=](double value) { return dam_break_with(Scheme::standard, set, value); }};
+    return {"dam_break", std::move(quantity),
+            from,        to,
+            1.1,         [=](double value) { return dam_break_with(Scheme::standard, set, value); }};
 }
 
 Search wedge_limit(std::string quantity, Parameter set, double from, double to) {
-    return {"wedge", std::move(quantity), from, to, 1.1,
-            [=](double value) { return wedge_with(Scheme::standard, set, value); }};
+    return {"wedge", std::move(quantity),
+            from,    to,
+            1.1,     [=](double value) { return wedge_with(Scheme::standard, set, value); }};
 }
 
-void set_courant(Model& m, double value) { m.courant_number = value; }
-void set_skin(Model& m, double value) { m.skin = value; }
-void set_sound_speed(Model& m, double value) { m.water.eos.sound_speed = value; }
-void set_smoothing(Model& m, double value) { m.smoothing_ratio = value; }
+void set_courant(Model& m, double value) {
+    m.courant_number = value;
+}
+void set_skin(Model& m, double value) {
+    m.skin = value;
+}
+void set_sound_speed(Model& m, double value) {
+    m.water.eos.sound_speed = value;
+}
+void set_smoothing(Model& m, double value) {
+    m.smoothing_ratio = value;
+}
 void set_background(Model& m, double value) {
     m.water.eos.background_pressure = m.air.eos.background_pressure = value;
 }
 
 Case courant() {
-    Case result{"courant", "dam break, factor of the time step",
+    Case result{"courant",
+                "dam break, factor of the time step",
                 dam_breaks(set_courant, {0.1, 0.25, 0.5, 0.75}, 0),
                 {dam_break_limit("courant_number", set_courant, 0.5, 4),
                  wedge_limit("courant_number", set_courant, 0.5, 4)}};
@@ -58,7 +69,8 @@ Case courant() {
 }
 
 Case sound_speed() {
-    Case result{"sound_speed", "dam break, sound speed of the water [m/s]",
+    Case result{"sound_speed",
+                "dam break, sound speed of the water [m/s]",
                 dam_breaks(set_sound_speed, {100, 50, 24.26, 16}, 0),
                 {dam_break_limit("sound_speed [m/s]", set_sound_speed, 24.26, 2),
                  wedge_limit("sound_speed [m/s]", set_sound_speed, 120, 10)}};
@@ -67,7 +79,6 @@ Case sound_speed() {
     return result;
 }
 
-/// Cells of the height of the column, of half the depth of the basin; the spacing follows.
 Case spacing() {
     Case result{"spacing", "dam break, spacing [m]", {}, {}};
     for (const double dx : {0.1, 0.06, 0.03})
@@ -87,15 +98,16 @@ Case spacing() {
 
 Setting disorder(double share, std::string beyond = {}) {
     const auto build = [share](Scheme scheme) {
-        Trial trial = trial_of(dam_break(), scheme);
+        const Trial even = trial_of(dam_break(), scheme);
+        const Simulation& s = even.simulation;
         verification::Dice dice(1);
-        const double size = share * trial.simulation.particle_spacing();
-        for (FluidState& p : trial.simulation.disturb().state) {
+        const double size = share * s.particle_spacing();
+        FluidParticles fluid = s.fluid();
+        for (FluidState& p : fluid.state) {
             p.x += dice.symmetric(size);
             p.y += dice.symmetric(size);
         }
-        trial.simulation.evaluate();
-        return trial;
+        return Trial{Simulation(s.model(), fluid, s.walls(), s.particle_spacing(), s.domain()), even.end};
     };
     return {fmt::format("{:g} spacings", share), build, share == 0.2, std::move(beyond)};
 }
@@ -112,7 +124,8 @@ std::vector<Case> numerical_cases() {
              dam_breaks(set_smoothing, {1, 1.25, 1.5, 2, 2.5}, 0)},
             {"skin", "dam break, skin of the neighbour list over smoothing length",
              dam_breaks(set_skin, {0.05, 0.1, 0.2, 0.5, 1}, 1)},
-            {"disorder", "dam break, particles displaced at the start by up to",
+            {"disorder",
+             "dam break, particles displaced at the start by up to",
              {disorder(0.1), disorder(0.2), disorder(0.3),
               disorder(0.45, "particles of neighbouring lattice points nearly coincide")}}};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases that are scenes: one that comes with the program, changed, or a body of any outline over a basin.
+// Hard cases that are scenes: one that comes with the program, changed, or a body of any outline over a
+// basin.
 #pragma once
 
 #include <array>

@@ -100,7 +100,8 @@ Outcome run_trial(Trial trial) {
         if (!check) continue;
         const Balance b = balance(s);
         outcome.density_error = std::max(outcome.density_error, b.water_density_error);
-        if (scale > 0) outcome.energy_gain = std::max(outcome.energy_gain, (energy(s, b) - energy_before) / scale);
+        if (scale > 0)
+            outcome.energy_gain = std::max(outcome.energy_gain, (energy(s, b) - energy_before) / scale);
     }
     outcome.steps = s.steps();
     if (trouble) outcome.death = death_of(s, *trouble, std::move(good));

@@ -22,8 +22,8 @@ struct Trial {
 /// The last good state of a run that died, and the place where it did.
 struct Death {
     Instability instability;
-    std::string surroundings;  ///< of the particle, in words
-    FieldFrame frame;          ///< at most 16 steps earlier
+    std::string surroundings;   ///< of the particle, in words
+    FieldFrame frame;           ///< at most 16 steps earlier
     Vec2 place = Vec2::Zero();  ///< in the frame [m]
     double particle_spacing = 0;
 };
