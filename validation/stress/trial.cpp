@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "solver/probes/energy.hpp"
@@ -96,7 +97,8 @@ Outcome run_trial(Trial trial) {
         const bool check = s.steps() % steps_between_checks == 0 || last;
         if (!trouble && check && trial.watch) trouble = trial.watch(s);
         if (trouble) break;
-        if (s.steps() % steps_between_frames == 0) good = frame_of(s, "");
+        const bool young = s.steps() < steps_between_frames && std::has_single_bit(s.steps());
+        if (young || s.steps() % steps_between_frames == 0) good = frame_of(s, "");
         if (!check) continue;
         const Balance b = balance(s);
         outcome.density_error = std::max(outcome.density_error, b.water_density_error);
