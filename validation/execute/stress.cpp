@@ -29,6 +29,7 @@ struct Task {
     StressRow row;
     bool judged = false;  ///< the default scheme on a sensible setting
     std::function<void(StressRow&)> run;
+    bool done = false;
 };
 
 std::string file_name(const StressRow& row) {
@@ -102,27 +103,45 @@ std::vector<Task> tasks_of(const std::vector<Case>& cases, const StressOptions& 
     return tasks;
 }
 
-/// Each on one thread, several at a time.
-void run_all(std::vector<Task>& tasks, int jobs) {
+/// Rows of cases that were not run as the file holds them, then those that are done.
+void store(const fs::path& directory, const std::vector<Task>& tasks) {
+    std::vector<StressRow> rows = read_stress(directory);
+    std::erase_if(rows, [&](const StressRow& row) {
+        return std::any_of(tasks.begin(), tasks.end(),
+                           [&](const Task& task) { return task.row.stress_case == row.stress_case; });
+    });
+    for (const Task& task : tasks)
+        if (task.done) rows.push_back(task.row);
+    write_stress(directory, rows);
+}
+
+/// Each on one thread, several at a time, those that decide first. What is done is kept if the rest is
+/// stopped.
+void run_all(std::vector<Task>& tasks, const StressOptions& options, int jobs) {
+    std::vector<Task*> order;
+    for (Task& task : tasks) order.push_back(&task);
+    std::stable_partition(order.begin(), order.end(), [](const Task* task) { return task->judged; });
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::exception_ptr failure;
     const auto work = [&] {
-        for (std::size_t k = next++; k < tasks.size(); k = next++) {
+        for (std::size_t k = next++; k < order.size(); k = next++) {
+            Task& task = *order[k];
             try {
                 const auto start = std::chrono::steady_clock::now();
-                tasks[k].run(tasks[k].row);
+                task.run(task.row);
                 const double seconds =
                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
                 const std::scoped_lock lock(mutex);
-                const StressRow& row = tasks[k].row;
-                fmt::print("{} {:20} {:44} {:6.1f} s  {}\n", row.survived ? "  " : "X ", row.stress_case,
-                           row.setting, seconds, row.note);
+                task.done = true;
+                store(options.directory, tasks);
+                fmt::print("{} {:20} {:44} {:6.1f} s  {}\n", task.row.survived ? "  " : "X ",
+                           task.row.stress_case, task.row.setting, seconds, task.row.note);
                 std::fflush(stdout);
             } catch (...) {
                 const std::scoped_lock lock(mutex);
                 if (!failure) failure = std::current_exception();
-                next = tasks.size();
+                next = order.size();
             }
         }
     };
@@ -133,17 +152,6 @@ void run_all(std::vector<Task>& tasks, int jobs) {
     if (failure) std::rethrow_exception(failure);
 }
 
-/// Rows of cases that were not run as the file holds them, then the new ones.
-void store(const fs::path& directory, const std::vector<Task>& tasks) {
-    std::vector<StressRow> rows = read_stress(directory);
-    std::erase_if(rows, [&](const StressRow& row) {
-        return std::any_of(tasks.begin(), tasks.end(),
-                           [&](const Task& task) { return task.row.stress_case == row.stress_case; });
-    });
-    for (const Task& task : tasks) rows.push_back(task.row);
-    write_stress(directory, rows);
-}
-
 }  // namespace
 
 bool run_stress(const StressOptions& options) {
@@ -152,9 +160,9 @@ bool run_stress(const StressOptions& options) {
     if (tasks.empty()) throw InputError("--fast leaves none of these cases: they have no quick setting");
     read_stress(options.directory);  // rather now than when all has run
     make_directories(options.directory / "stress");
-    run_all(tasks, options.jobs > 0 ? options.jobs
-                                    : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
-    store(options.directory, tasks);
+    run_all(
+        tasks, options,
+        options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
     const auto judged =
         std::count_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.judged; });
     const auto alive = std::count_if(tasks.begin(), tasks.end(),

@@ -31,6 +31,8 @@ void apply(Scheme scheme, Model& model) {
     model.wall_velocity = WallVelocity::normal;
     model.smoothing_ratio = 1.25;
     model.courant_number = 0.25;
+    model.air.eos.sound_speed = equal_coefficient_sound_speed(
+        model.water.eos, model.air.eos.reference_density, model.air.eos.exponent);
 }
 
 }  // namespace wetdeck::stress

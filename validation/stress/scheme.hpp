@@ -14,8 +14,8 @@ inline constexpr std::array schemes = {Scheme::standard, Scheme::paper, Scheme::
 
 std::string name_of(Scheme scheme);
 
-/// Changes the ingredients of a model, not its materials. The paper's are those of the scenes' variant
-/// `paper`, without its stiffer air, so that all schemes meet the same case.
+/// Changes the ingredients of a model; its materials only where the paper's scheme has air as stiff as the
+/// equal-coefficient rule says. The same as the scenes' variants `paper`.
 void apply(Scheme scheme, Model& model);
 
 }  // namespace wetdeck::stress
