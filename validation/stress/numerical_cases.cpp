@@ -81,10 +81,10 @@ Case sound_speed() {
 
 Case spacing() {
     Case result{"spacing", "dam break, spacing [m]", {}, {}};
-    for (const double dx : {0.1, 0.06, 0.03})
+    for (const double dx : {0.12, 0.1, 0.04, 0.03})
         result.settings.push_back(
             {fmt::format("{:g}", dx), [=](Scheme s) { return trial_of(dam_break(dx), s); }, dx == 0.1});
-    result.searches.push_back({"dam_break", "spacing [m]", 0.05, 0.3, 1.2, [](double dx) {
+    result.searches.push_back({"dam_break", "spacing [m]", 0.06, 0.3, 1.2, [](double dx) {
                                    return trial_of(dam_break(0.6 / std::round(0.6 / dx)), Scheme::standard);
                                }});
     result.searches.push_back({"wedge", "spacing [m]", 0.02, 0.05, 1.2, [](double dx) {

@@ -74,7 +74,7 @@ SceneCase dam_break(double particle_spacing) {
     return {"dam_break",
             "two-phase",
             particle_spacing,
-            1.5,
+            1.2,
             {"tank.size=[3.6,1.8]", "air.boxes=[[1.2,0.0,3.6,0.6],[0.0,0.6,3.6,1.8]]"}};
 }
 

@@ -24,9 +24,9 @@ struct SceneCase {
 /// @param change  of the model, after the scheme's ingredients
 Trial trial_of(const SceneCase& scene, Scheme scheme, const Change& change = {});
 
-/// The dam break of the shipped scene until T = 6, after the first impact, in a tank that all spacings
-/// 0.6 m / n fit.
-SceneCase dam_break(double particle_spacing = 0.05);
+/// The dam break of the shipped scene until T = 4.9, twice the time of the first impact, in a tank that all
+/// spacings 0.6 m / n fit.
+SceneCase dam_break(double particle_spacing = 0.06);
 
 /// A body that enters still water under air. Lengths [m], speeds [m/s], SI throughout.
 struct Entry {
