@@ -22,12 +22,14 @@ Setting deadrise(double degrees) {
     return setting(fmt::format("{:g} degrees", degrees), wedge_entry(degrees));
 }
 
+constexpr double plate_spacing = 0.01;  // [m]
+
 Entry box(double width, double height) {
     Entry entry;
     entry.outline = {{-0.5 * width, 0}, {0.5 * width, 0}, {0.5 * width, height}, {-0.5 * width, height}};
     entry.tank = {1.2, 0.7};
     entry.depth = 0.4;
-    entry.particle_spacing = 0.00625;
+    entry.particle_spacing = plate_spacing;
     entry.speed = 5.5;
     entry.sound_speed = 60;  // of the scene flat_plate
     entry.background_pressure = 2000;
@@ -40,13 +42,13 @@ std::vector<Setting> thin_plates() {
     std::vector<Setting> settings;
     for (const double spacings : {3.1, 4.0, 6.0})
         settings.push_back(
-            setting(fmt::format("flat, {:g} spacings", spacings), box(0.25, spacings * 0.00625)));
-    settings.push_back(setting("edge on, 3.1 spacings", box(3.1 * 0.00625, 0.15)));
+            setting(fmt::format("flat, {:g} spacings", spacings), box(0.25, spacings * plate_spacing)));
+    settings.push_back(setting("edge on, 3.1 spacings", box(3.1 * plate_spacing, 0.15)));
     return settings;
 }
 
 Setting film(double spacings) {
-    Entry entry = box(0.25, 0.025);
+    Entry entry = box(0.25, 4 * plate_spacing);
     entry.gap = spacings * entry.particle_spacing;
     entry.travel = 0.03;
     return setting(fmt::format("{:g} spacings", spacings), entry);
