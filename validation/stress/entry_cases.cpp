@@ -55,16 +55,20 @@ Setting film(double spacings) {
 }
 
 /// The scene sinking_rectangle, of even density: it starts half submerged and turns where it is unstable.
-Setting density(double over_water) {
+Trial floating_box(Scheme scheme, double over_water) {
     const double mass = 0.5 * over_water, inertia = mass * (1 + 0.25) / 12;
-    const SceneCase scene{"sinking_rectangle",
-                          "two-phase",
-                          1.0 / 12,
-                          2,
-                          {"body.mass_centre=[0.0,0.0]", fmt::format("body.mass={}", mass),
-                           fmt::format("body.inertia={}", inertia)}};
-    return {fmt::format("{:g} of the water", over_water), [scene](Scheme s) { return trial_of(scene, s); },
-            over_water == 20};
+    return trial_of(SceneCase{"sinking_rectangle",
+                              "two-phase",
+                              1.0 / 12,
+                              2,
+                              {"body.mass_centre=[0.0,0.0]", fmt::format("body.mass={}", mass),
+                               fmt::format("body.inertia={}", inertia)}},
+                    scheme);
+}
+
+Setting density(double over_water) {
+    return {fmt::format("{:g} of the water", over_water),
+            [=](Scheme s) { return floating_box(s, over_water); }, over_water == 20};
 }
 
 }  // namespace
@@ -80,7 +84,9 @@ std::vector<Case> entry_cases() {
             {"air_film", "plate at 5.5 m/s, air under it at the start", {film(4), film(2), film(1)}},
             {"body_density",
              "floating or sinking box, density",
-             {density(0.02), density(0.1), density(0.5), density(2), density(20)}}};
+             {density(0.02), density(0.1), density(0.5), density(2), density(20)},
+             {{"floating box", "density over that of the water", 0.5, 0.02, 1.1,
+               [](double over_water) { return floating_box(Scheme::standard, over_water); }}}}};
 }
 
 }  // namespace wetdeck::stress
