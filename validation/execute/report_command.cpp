@@ -79,7 +79,8 @@ StoredRuns read_runs(const fs::path& directory) {
         stored.varied.push_back({assignment.substr(0, equals),
                                  std::strtod(assignment.c_str() + equals + 1, nullptr), std::move(run)});
     }
-    if (stored.runs.empty() && !fs::exists(directory / verification_file))
+    if (stored.runs.empty() && !fs::exists(directory / verification_file) &&
+        !fs::exists(directory / stress_file))
         throw InputError(fmt::format("{}: holds no run.h5, expected the directory of a suite or a run",
                                      directory.string()));
     return stored;
@@ -133,7 +134,8 @@ ProgramInfo program_info(const std::vector<RunSummary>& runs) {
 void read_suite_plan(const fs::path& directory, const std::set<std::string>& present, Summary& summary) {
     std::ifstream in(directory / "suite.json");
     if (!in) {
-        summary.tier = summary.runs.empty() ? "verification" : "single runs";
+        const bool verification = fs::exists(directory / verification_file);
+        summary.tier = !summary.runs.empty() ? "single runs" : verification ? "verification" : "hard cases";
         return;
     }
     const nlohmann::json plan = nlohmann::json::parse(in, nullptr, false);

@@ -84,7 +84,7 @@ void write_ablation(const fs::path& directory, const std::vector<AblationRow>& r
 }
 
 void write_stress(const fs::path& directory, const std::vector<StressRow>& rows) {
-    write_rows(directory / "stress.json", rows, stress_json);
+    write_rows(directory / stress_file, rows, stress_json);
 }
 
 std::vector<AblationRow> read_ablation(const fs::path& directory) {
@@ -92,7 +92,7 @@ std::vector<AblationRow> read_ablation(const fs::path& directory) {
 }
 
 std::vector<StressRow> read_stress(const fs::path& directory) {
-    return read_rows(directory / "stress.json", stress_row);
+    return read_rows(directory / stress_file, stress_row);
 }
 
 }  // namespace wetdeck

@@ -11,6 +11,8 @@
 
 namespace wetdeck {
 
+inline constexpr const char* stress_file = "stress.json";
+
 void write_ablation(const std::filesystem::path& directory, const std::vector<AblationRow>& rows);
 void write_stress(const std::filesystem::path& directory, const std::vector<StressRow>& rows);
 

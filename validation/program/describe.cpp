@@ -8,6 +8,7 @@
 
 #include "validation/execute/progress.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/stress/cases.hpp"
 #include "validation/verification/problems.hpp"
 
 namespace wetdeck {
@@ -27,9 +28,14 @@ void print_list(bool as_json) {
     nlohmann::json problems = nlohmann::json::array();
     for (const verification::Problem& problem : verification::all_problems())
         problems.push_back({{"name", problem.name}, {"title", problem.title}, {"quick", problem.quick}});
+    nlohmann::json hard = nlohmann::json::array();
+    for (const stress::Case& member : stress::all_cases()) {
+        nlohmann::json settings = nlohmann::json::array();
+        for (const stress::Setting& setting : member.settings) settings.push_back(setting.name);
+        hard.push_back({{"name", member.name}, {"title", member.title}, {"settings", settings}});
+    }
     if (as_json) {
-        const nlohmann::json all = {
-            {"scenes", scenes}, {"problems", problems}, {"stress", nlohmann::json::array()}};
+        const nlohmann::json all = {{"scenes", scenes}, {"problems", problems}, {"stress", hard}};
         fmt::print("{}\n", all.dump(1));
         return;
     }
@@ -43,6 +49,9 @@ void print_list(bool as_json) {
     fmt::print("Problems with exact solutions (wetdeck verify)\n");
     for (const auto& problem : problems)
         fmt::print("  {:20} {}\n", problem["name"].get<std::string>(), problem["title"].get<std::string>());
+    fmt::print("Hard cases (wetdeck stress)\n");
+    for (const auto& member : hard)
+        fmt::print("  {:20} {}\n", member["name"].get<std::string>(), member["title"].get<std::string>());
 }
 
 void print_description(const std::string& name) {

@@ -19,6 +19,7 @@
 #include "validation/execute/run.hpp"
 #include "validation/execute/slurm.hpp"
 #include "validation/execute/stop_signal.hpp"
+#include "validation/execute/stress.hpp"
 #include "validation/execute/suite.hpp"
 #include "validation/execute/verify.hpp"
 #include "validation/metrics/ablation.hpp"
@@ -56,6 +57,8 @@ struct Options {
     std::string json_file;
     // verify
     VerifyOptions verify;
+    // stress
+    StressOptions stress;
     // report, baseline
     std::string publish, action, baseline;
     // all
@@ -164,6 +167,15 @@ int bench_command(const Options& options, bool as_json) {
     if (!options.json_file.empty()) atomic_write(options.json_file, text);
     fmt::print("{}", as_json && options.json_file.empty() ? text : benchmark_table(benchmark));
     return exit_done;
+}
+
+int stress_command(Options& options) {
+    StressOptions& stress = options.stress;
+    stress.directory = options.out.empty() ? fs::path("results") / "stress" : fs::path(options.out);
+    const bool survived = run_stress(stress);
+    make_report(stress.directory);
+    fmt::print("report: {}\n", (stress.directory / "index.html").string());
+    return survived ? exit_done : exit_outside;
 }
 
 int report_command(const Options& options) {
@@ -316,6 +328,15 @@ int dispatch(int argc, char** argv) {
     verify->add_option("--out", options.out, "directory of the results (results/verification)");
     verify->add_flag("--fast", options.verify.fast, "coarse resolutions of the quick problems only");
 
+    CLI::App* stress = app.add_subcommand(
+        "stress", "hard cases: what the default scheme, the paper's and none of the dissipation survive");
+    stress->add_option("--only", options.stress.cases, "cases to run, separated by commas")->delimiter(',');
+    stress->add_option("--out", options.out, "directory of the results (results/stress)");
+    stress->add_option("--jobs", options.stress.jobs, "runs at a time (one per core)")
+        ->check(CLI::Range(1, 4096));
+    stress->add_flag("--fast", options.stress.fast,
+                     "the quick settings with the default scheme alone, no search for limits");
+
     CLI::App* report = app.add_subcommand("report", "write the report again from the stored runs alone");
     report->add_option("directory", options.out, "directory of a suite or a run")->required();
 
@@ -331,7 +352,8 @@ int dispatch(int argc, char** argv) {
     baseline->add_option("--file", options.baseline, "the baseline, a JSON file")->required();
     baseline->add_flag("--replace", options.replace, "replace the baseline that is there");
 
-    CLI::App* list = app.add_subcommand("list", "scenes and their variants, problems with exact solutions");
+    CLI::App* list =
+        app.add_subcommand("list", "scenes and their variants, problems with exact solutions, hard cases");
     list->add_flag("--json", options.json, "as JSON");
     CLI::App* describe = app.add_subcommand("describe", "set-up, references and cost of one scene");
     describe->add_option("scene", options.scene, "name or path")->required();
@@ -355,6 +377,7 @@ int dispatch(int argc, char** argv) {
     if (*verify) return verify_command(options);
     if (*ablate) return ablate_command(options);
     if (*bench) return bench_command(options, bench_json->count() > 0);
+    if (*stress) return stress_command(options);
     if (*report) return report_command(options);
     if (*baseline) return baseline_command(options);
     if (*list) return print_list(options.json), exit_done;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of hard cases, and one run that lives and one that dies.
+#include "validation/stress/cases.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "solver/core/errors.hpp"
+#include "validation/scene/scene.hpp"
+#include "validation/stress/scene_trial.hpp"
+
+using namespace wetdeck;
+using namespace wetdeck::stress;
+
+TEST_CASE("Cases and their settings have names of their own", "[stress]") {
+    std::set<std::string> names;
+    for (const Case& member : all_cases()) {
+        INFO(member.name);
+        CHECK(names.insert(member.name).second);
+        CHECK_FALSE(member.settings.empty());
+        std::set<std::string> settings;
+        for (const Setting& setting : member.settings) CHECK(settings.insert(setting.name).second);
+    }
+    CHECK(cases_named({}).size() == all_cases().size());
+    CHECK(cases_named({"skin", "courant"}).front().name == "courant");
+    CHECK_THROWS_AS(cases_named({"courant", "kraken"}), InputError);
+}
+
+TEST_CASE("A coarse dam break lives at the step in use and dies at six times that", "[stress]") {
+    SceneCase scene = dam_break(0.1);
+    scene.end = 0.3;
+    const Outcome calm = run_trial(trial_of(scene, Scheme::standard));
+    CHECK(calm.survived());
+    CHECK(calm.energy_gain < 0.01);
+    const Outcome wild =
+        run_trial(trial_of(scene, Scheme::standard, [](Model& model) { model.courant_number = 3; }));
+    REQUIRE(wild.death);
+    CHECK(wild.steps < calm.steps);
+    CHECK(wild.note().rfind("died at t = ", 0) == 0);
+    CHECK(wild.death->surroundings.find(" particle among ") != std::string::npos);
+    CHECK(wild.death->frame.time <= wild.death->instability.time);
+    CHECK(picture_of(*wild.death).size() > 1000);
+}
+
+TEST_CASE("The schemes are those of the scenes' variants", "[stress]") {
+    const Model paper = [] {
+        Model model;
+        apply(Scheme::paper, model);
+        return model;
+    }();
+    const Model scene = read_scene(find_scene("dam_break"), "paper").model;
+    CHECK(paper.velocity_mean == scene.velocity_mean);
+    CHECK(paper.pressure_mean == scene.pressure_mean);
+    CHECK(paper.hydrostatic_correction == scene.hydrostatic_correction);
+    CHECK(paper.dissipation == scene.dissipation);
+    CHECK(paper.wall_dissipation == scene.wall_dissipation);
+    CHECK(paper.viscosity == scene.viscosity);
+    CHECK(paper.dissipation_switch == scene.dissipation_switch);
+    CHECK(paper.wall_pressure == scene.wall_pressure);
+    CHECK(paper.wall_velocity == scene.wall_velocity);
+    CHECK(paper.smoothing_ratio == scene.smoothing_ratio);
+    CHECK(paper.courant_number == scene.courant_number);
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameters of the scheme away from where they are used: dam break and wedge of 30 degrees.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "validation/stress/cases.hpp"
+#include "validation/stress/scene_trial.hpp"
+#include "validation/verification/setups.hpp"
+
+namespace wetdeck::stress {
+namespace {
+
+using Parameter = void (*)(Model&, double);
+
+Trial dam_break_with(Scheme scheme, Parameter set, double value) {
+    return trial_of(dam_break(), scheme, [=](Model& model) { set(model, value); });
+}
+
+Trial wedge_with(Scheme scheme, Parameter set, double value) {
+    return trial_of(wedge_entry(30), scheme, [=](Model& model) { set(model, value); });
+}
+
+std::vector<Setting> dam_breaks(Parameter set, const std::vector<double>& values, double quick) {
+    std::vector<Setting> settings;
+    for (const double value : values)
+        settings.push_back({fmt::format("{:g}", value),
+                            [=](Scheme s) { return dam_break_with(s, set, value); }, value == quick});
+    return settings;
+}
+
+Search dam_break_limit(std::string quantity, Parameter set, double from, double to) {
+    return {"dam_break", std::move(quantity),
+            from,        to,
+            1.1,         [=](double value) { return dam_break_with(Scheme::standard, set, value); }};
+}
+
+Search wedge_limit(std::string quantity, Parameter set, double from, double to) {
+    return {"wedge", std::move(quantity),
+            from,    to,
+            1.1,     [=](double value) { return wedge_with(Scheme::standard, set, value); }};
+}
+
+void set_courant(Model& m, double value) {
+    m.courant_number = value;
+}
+void set_skin(Model& m, double value) {
+    m.skin = value;
+}
+void set_sound_speed(Model& m, double value) {
+    m.water.eos.sound_speed = value;
+}
+void set_smoothing(Model& m, double value) {
+    m.smoothing_ratio = value;
+}
+void set_background(Model& m, double value) {
+    m.water.eos.background_pressure = m.air.eos.background_pressure = value;
+}
+
+Case courant() {
+    Case result{"courant",
+                "dam break, factor of the time step",
+                dam_breaks(set_courant, {0.1, 0.25, 0.5, 0.75}, 0),
+                {dam_break_limit("courant_number", set_courant, 0.5, 4),
+                 wedge_limit("courant_number", set_courant, 0.5, 4)}};
+    result.settings.push_back({"3", [](Scheme s) { return dam_break_with(s, set_courant, 3); }, true,
+                               "sound travels three smoothing lengths in a step"});
+    return result;
+}
+
+Case sound_speed() {
+    Case result{"sound_speed",
+                "dam break, sound speed of the water [m/s]",
+                dam_breaks(set_sound_speed, {100, 50, 24.26, 16}, 0),
+                {dam_break_limit("sound_speed [m/s]", set_sound_speed, 24.26, 2),
+                 wedge_limit("sound_speed [m/s]", set_sound_speed, 120, 10)}};
+    result.settings.push_back({"8", [](Scheme s) { return dam_break_with(s, set_sound_speed, 8); }, false,
+                               "the water's speed of 4 m/s is Mach 0.5"});
+    return result;
+}
+
+Case spacing() {
+    Case result{"spacing", "dam break, spacing [m]", {}, {}};
+    for (const double dx : {0.12, 0.1, 0.04, 0.03})
+        result.settings.push_back(
+            {fmt::format("{:g}", dx), [=](Scheme s) { return trial_of(dam_break(dx), s); }, dx == 0.1});
+    result.searches.push_back({"dam_break", "spacing [m]", 0.06, 0.3, 1.2, [](double dx) {
+                                   return trial_of(dam_break(0.6 / std::round(0.6 / dx)), Scheme::standard);
+                               }});
+    result.searches.push_back({"wedge", "spacing [m]", 0.02, 0.05, 1.2, [](double dx) {
+                                   Entry entry = wedge_entry(30);
+                                   entry.particle_spacing = 0.2 / std::round(0.2 / dx);
+                                   entry.gap = entry.particle_spacing;
+                                   return trial_of(entry, Scheme::standard);
+                               }});
+    return result;
+}
+
+Setting disorder(double share, std::string beyond = {}) {
+    const auto build = [share](Scheme scheme) {
+        const Trial even = trial_of(dam_break(), scheme);
+        const Simulation& s = even.simulation;
+        verification::Dice dice(1);
+        const double size = share * s.particle_spacing();
+        FluidParticles fluid = s.fluid();
+        for (FluidState& p : fluid.state) {
+            p.x += dice.symmetric(size);
+            p.y += dice.symmetric(size);
+        }
+        return Trial{Simulation(s.model(), fluid, s.walls(), s.particle_spacing(), s.domain()), even.end};
+    };
+    return {fmt::format("{:g} spacings", share), build, share == 0.2, std::move(beyond)};
+}
+
+}  // namespace
+
+std::vector<Case> numerical_cases() {
+    return {courant(),
+            sound_speed(),
+            spacing(),
+            {"background_pressure", "dam break, background pressure [Pa]",
+             dam_breaks(set_background, {0, 100, 300, 1000, 3000, 10000}, 0)},
+            {"smoothing_ratio", "dam break, smoothing length over spacing",
+             dam_breaks(set_smoothing, {1, 1.25, 1.5, 2, 2.5}, 0)},
+            {"skin", "dam break, skin of the neighbour list over smoothing length",
+             dam_breaks(set_skin, {0.05, 0.1, 0.2, 0.5, 1}, 1)},
+            {"disorder",
+             "dam break, particles displaced at the start by up to",
+             {disorder(0.1), disorder(0.2), disorder(0.3),
+              disorder(0.45, "particles of neighbouring lattice points nearly coincide")}}};
+}
+
+}  // namespace wetdeck::stress

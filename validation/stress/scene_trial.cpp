@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/stress/scene_trial.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "validation/execute/assemble.hpp"
+#include "validation/execute/watchdog.hpp"
+
+namespace wetdeck::stress {
+namespace {
+
+Trial assembled(Scene scene, double particle_spacing, double end, Scheme scheme, const Change& change) {
+    apply(scheme, scene.model);
+    if (change) change(scene.model);
+    return Trial{assemble(scene, particle_spacing, 1), end, watch_bodies(scene)};
+}
+
+std::string text_of(const Entry& e) {
+    std::string corners;
+    for (const auto& corner : e.outline) corners += fmt::format("[{}, {}], ", corner[0], corner[1]);
+    return fmt::format(R"toml(schema = 1
+name = "entry"
+title = "Entry"
+purpose = "to be survived"
+source = "none"
+gravity = [0.0, -9.81]
+default_variant = "two-phase"
+limits = []
+variants.two-phase.description = "water and air"
+tank.size = [{width}, {height}]
+initial = {{ pressure = "hydrostatic", surface = {depth} }}
+model = {{ air = true, background_pressure = {background} }}
+run = {{ end_time = 1.0, sample_interval = 1.0 }}
+[water]
+density = 1000.0
+sound_speed = {sound_speed}
+exponent = 7.0
+viscosity = 1.0e-3
+boxes = [[0.0, 0.0, {width}, {depth}]]
+[air]
+density = 1.0
+exponent = 1.4
+viscosity = 1.0e-5
+law = "physical"
+boxes = [[0.0, {depth}, {width}, {height}]]
+[body]
+outline = [{corners}]
+place = [{middle}, {place}]
+free = {free}
+mass = {mass}
+velocity_y = {velocity}
+)toml",
+                       fmt::arg("width", e.tank[0]), fmt::arg("height", e.tank[1]),
+                       fmt::arg("depth", e.depth), fmt::arg("background", e.background_pressure),
+                       fmt::arg("sound_speed", e.sound_speed), fmt::arg("corners", corners),
+                       fmt::arg("middle", 0.5 * e.tank[0]), fmt::arg("place", e.depth + e.gap),
+                       fmt::arg("free", e.mass > 0 ? "['y']" : "[]"), fmt::arg("mass", e.mass),
+                       fmt::arg("velocity", -e.speed));
+}
+
+}  // namespace
+
+Trial trial_of(const SceneCase& scene, Scheme scheme, const Change& change) {
+    // the scene's variant for the paper knows the background pressure that its means need
+    const std::string variant = scheme == Scheme::paper ? "paper" : scene.variant;
+    return assembled(read_scene(find_scene(scene.scene), variant, scene.overrides), scene.particle_spacing,
+                     scene.end, scheme, change);
+}
+
+SceneCase dam_break(double particle_spacing) {
+    return {"dam_break",
+            "two-phase",
+            particle_spacing,
+            1.2,
+            {"tank.size=[3.6,1.8]", "air.boxes=[[1.2,0.0,3.6,0.6],[0.0,0.6,3.6,1.8]]"}};
+}
+
+void Entry::scale_to(double new_speed) {
+    const double ratio = new_speed / speed;
+    speed = new_speed;
+    sound_speed *= ratio;
+    background_pressure *= ratio * ratio;
+}
+
+Entry wedge_entry(double deadrise_degrees) {
+    constexpr double half_width = 0.25, side = 0.16;
+    const double rise = half_width * std::tan(deadrise_degrees * std::numbers::pi / 180);
+    Entry entry;
+    if (rise > 0) entry.outline.push_back({0, 0});
+    for (const auto& corner : {std::array{half_width, rise}, std::array{half_width, rise + side},
+                               std::array{-half_width, rise + side}, std::array{-half_width, rise}})
+        entry.outline.push_back(corner);
+    entry.tank[1] = entry.depth + 0.2 * std::ceil((entry.gap + rise + side + 0.1) / 0.2);
+    return entry;
+}
+
+Trial trial_of(const Entry& entry, Scheme scheme, const Change& change) {
+    return assembled(parse_scene(text_of(entry), "entry.toml"), entry.particle_spacing,
+                     entry.travel / entry.speed, scheme, change);
+}
+
+}  // namespace wetdeck::stress

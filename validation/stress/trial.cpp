@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/stress/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "solver/probes/energy.hpp"
+#include "validation/execute/field_frame.hpp"
+#include "validation/store/raster.hpp"
+
+namespace wetdeck::stress {
+namespace {
+
+constexpr std::uint64_t steps_between_frames = 16, steps_between_checks = 64;
+
+/// Of the fluid, and what bodies have taken of it: grows by errors alone.
+double energy(const Simulation& simulation, const Balance& b) {
+    double sum = b.kinetic + b.potential + b.compression;
+    for (const RigidBody& body : simulation.bodies()) sum += body.work;
+    return sum;
+}
+
+/// What a gain of energy is measured by: all that there is at the start.
+double energy_scale(const Simulation& simulation, const Balance& b) {
+    double sum = b.kinetic + b.potential;
+    for (const RigidBody& body : simulation.bodies()) sum += body.kinetic_energy();
+    return sum;
+}
+
+/// Index of the particle that died, or of none.
+std::optional<std::size_t> index_of(const FieldFrame& frame, const Instability& trouble) {
+    if (!trouble.particle) return std::nullopt;
+    for (std::size_t i = 0; i < frame.id.size(); ++i)
+        if (frame.phase[i] < 2 && frame.id[i] == static_cast<std::int64_t>(*trouble.particle)) return i;
+    return std::nullopt;
+}
+
+std::string surroundings(const FieldFrame& frame, std::size_t self, const Simulation& simulation) {
+    const double reach = simulation.kernel().support_radius(), dx = simulation.particle_spacing();
+    int water = 0, air = 0, wall = 0, body = 0;
+    double nearest = reach;
+    for (std::size_t i = 0; i < frame.x.size(); ++i) {
+        const double distance = std::hypot(frame.x[i] - frame.x[self], frame.y[i] - frame.y[self]);
+        if (i == self || distance > reach) continue;
+        nearest = std::min(nearest, distance);
+        ++(frame.phase[i] == 0 ? water : frame.phase[i] == 1 ? air : frame.phase[i] == 2 ? wall : body);
+    }
+    const bool is_water = frame.phase[self] == 0;
+    const TaitEquationOfState& eos = is_water ? simulation.model().water.eos : simulation.model().air.eos;
+    return fmt::format(
+        "{} particle among {} of water, {} of air, {} of the tank, {} of a body, the nearest at {:.2f} dx; "
+        "density {:.3g} of the reference, gauge pressure {:.3g} Pa, Mach {:.2g}",
+        is_water ? "water" : "air", water, air, wall, body, nearest / dx,
+        frame.density[self] / eos.reference_density, frame.pressure[self],
+        std::hypot(frame.vx[self], frame.vy[self]) / eos.sound_speed);
+}
+
+Death death_of(const Simulation& simulation, const Instability& trouble, FieldFrame frame) {
+    Death death;
+    death.instability = trouble;
+    death.place = trouble.position;
+    death.particle_spacing = simulation.particle_spacing();
+    if (const auto self = index_of(frame, trouble)) {
+        death.place = {frame.x[*self], frame.y[*self]};
+        death.surroundings = surroundings(frame, *self, simulation);
+    }
+    death.frame = std::move(frame);
+    return death;
+}
+
+}  // namespace
+
+std::string Outcome::note() const {
+    std::string text;
+    if (death) {
+        text = "died " + death->instability.describe();
+        if (!death->surroundings.empty()) text += "; before that " + death->surroundings;
+        text += "; ";
+    }
+    return text + fmt::format("{} steps, density error {:.2g}, energy gained {:.2g}", steps, density_error,
+                              energy_gain);
+}
+
+Outcome run_trial(Trial trial) {
+    Simulation& s = trial.simulation;
+    Outcome outcome;
+    const Balance start = balance(s);
+    const double energy_before = energy(s, start), scale = energy_scale(s, start);
+    FieldFrame good = frame_of(s, "");
+    std::optional<Instability> trouble;
+    while (!trouble && s.time() < trial.end && s.steps() < trial.most_steps) {
+        trouble = s.step(trial.end - s.time());
+        const bool last = s.time() >= trial.end;
+        const bool check = s.steps() % steps_between_checks == 0 || last;
+        if (!trouble && check && trial.watch) trouble = trial.watch(s);
+        if (trouble) break;
+        const bool young = s.steps() < steps_between_frames && std::has_single_bit(s.steps());
+        if (young || s.steps() % steps_between_frames == 0) good = frame_of(s, "");
+        if (!check) continue;
+        const Balance b = balance(s);
+        outcome.density_error = std::max(outcome.density_error, b.water_density_error);
+        if (scale > 0)
+            outcome.energy_gain = std::max(outcome.energy_gain, (energy(s, b) - energy_before) / scale);
+    }
+    outcome.steps = s.steps();
+    if (trouble) outcome.death = death_of(s, *trouble, std::move(good));
+    return outcome;
+}
+
+std::vector<unsigned char> picture_of(const Death& death) {
+    constexpr double half_width = 20;  // [spacings]
+    RasterOptions options;
+    options.width = 800;
+    const double reach = half_width * death.particle_spacing;
+    options.x_min = death.place.x() - reach;
+    options.x_max = death.place.x() + reach;
+    options.y_min = death.place.y() - reach;
+    options.y_max = death.place.y() + reach;
+    options.particle_radius = 0.4 * death.particle_spacing;  // gaps and clumps are to be seen
+    const FieldFrame& f = death.frame;
+    double low = 0, high = 1, fastest = 1e-9;
+    for (std::size_t i = 0; i < f.x.size(); ++i) {
+        if ((Vec2(f.x[i], f.y[i]) - death.place).cwiseAbs().maxCoeff() > reach) continue;
+        if (f.phase[i] == 0) low = std::min(low, f.pressure[i]), high = std::max(high, f.pressure[i]);
+        if (f.phase[i] == 1) fastest = std::max(fastest, std::hypot(f.vx[i], f.vy[i]));
+    }
+    options.water_min = low;
+    options.water_max = high;
+    options.air_speed_max = fastest;
+    return render_png(f, options);
+}
+
+}  // namespace wetdeck::stress

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run of a hard case: whether it reaches its end, how good it was until then, and where it died.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "solver/simulation.hpp"
+#include "validation/store/fields.hpp"
+
+namespace wetdeck::stress {
+
+/// A simulation ready to run. It ends at a time or after a number of steps, whichever comes first.
+struct Trial {
+    Simulation simulation;
+    double end = std::numeric_limits<double>::infinity();  ///< [s]
+    Simulation::Watch watch = {};
+    std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// The last good state of a run that died, and the place where it did.
+struct Death {
+    Instability instability;
+    std::string surroundings;   ///< of the particle, in words
+    FieldFrame frame;           ///< at most 16 steps earlier
+    Vec2 place = Vec2::Zero();  ///< in the frame [m]
+    double particle_spacing = 0;
+};
+
+struct Outcome {
+    std::optional<Death> death;
+    std::uint64_t steps = 0;
+    double density_error = 0;  ///< largest |rho/rho0 - 1| of the water until the end or the last good state
+    double energy_gain = 0;    ///< largest gain of energy that no body did work for, over that of the start
+    bool survived() const { return !death; }
+    std::string note() const;
+};
+
+Outcome run_trial(Trial trial);
+
+/// A picture of 40 spacings about the place of death.
+std::vector<unsigned char> picture_of(const Death& death);
+
+}  // namespace wetdeck::stress
