@@ -76,7 +76,9 @@ void run(Findings& findings) {
         const std::vector<double> exact = half_axes(curve.x);
         double squares = 0;
         for (std::size_t k = 0; k < exact.size(); ++k) squares += std::pow(curve.y[k] - exact[k] / radius, 2);
-        findings.record("half_axis", dx / radius, std::sqrt(squares / static_cast<double>(exact.size())));
+        const double error = std::sqrt(squares / static_cast<double>(exact.size()));
+        findings.record("half_axis", dx / radius, error);
+        findings.record("half_axis_order", dx / radius, error);
         figure.exact = {curve.x, exact};
         figure.computed.emplace_back("dx/R = " + std::to_string(dx).substr(0, 5), std::move(curve));
     }
@@ -94,10 +96,16 @@ Problem oscillating_drop() {
         "an eighth-order "
         "Runge-Kutta method over two periods.";
     problem.claims = {
-        {"half_axis", "rms error of the half axis over the radius", "dx / radius", 0.1, Window{0.5, 2.5},
-         "a surface that is smeared over one spacing; first order. The hydrostatic part of the pressure jump "
-         "is not corrected for this force, "
-         "which lets the density diffuse, to first order as well"},
+        {"half_axis",
+         "rms error of the half axis over the radius",
+         "dx / radius",
+         0.05,
+         {},
+         "a surface that is smeared over half a spacing, at ten spacings per radius"},
+        {"half_axis_order", "the same", "dx / radius", 0.05, Window{0.5, 2.5}, "first order",
+         "At 10, 20 and 40 spacings per radius the error falls from 2.4 to 1.5 and 1.3 %, with an order of "
+         "0.46. The "
+         "hydrostatic part of the pressure jump is corrected for gravity, not for this force."},
     };
     problem.run = run;
     return problem;
