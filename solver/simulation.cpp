@@ -208,17 +208,31 @@ void Simulation::update_density(double dt) {
 
 void Simulation::evaluate() {
     fastest_ = {};
+    densest_ = {1, 1};
     for (std::size_t i = 0; i < fluid_.size(); ++i) {
-        const double speed = fluid_.state[i].velocity().norm();
-        double& fastest = fastest_[static_cast<std::size_t>(fluid_.phase(i))];
-        fastest = std::max(fastest, speed);
+        const auto phase = static_cast<std::size_t>(fluid_.phase(i));
+        const Material& material = phase == 0 ? model_.water : model_.air;
+        fastest_[phase] = std::max(fastest_[phase], fluid_.state[i].velocity().norm());
+        densest_[phase] = std::max(densest_[phase], fluid_.state[i].density / material.eos.reference_density);
     }
     wall_pass();
     density_pass();
     momentum_pass();
     load_bodies();
-    time_step_ = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
-                                  fluid_.water < fluid_.size());
+    time_step_ = stable_step();
+}
+
+/// Eq. (26) with the sound speed of the most compressed fluid, c = c0 (rho/rho0)^((gamma - 1)/2): trapped air
+/// squeezed to two thirds dies at the speed of the reference state.
+TimeStep Simulation::stable_step() const {
+    std::array<double, phase_count> fastest = fastest_;
+    const TaitEquationOfState* laws[] = {&model_.water.eos, &model_.air.eos};
+    for (std::size_t phase = 0; phase < phase_count; ++phase) {
+        const double stiffened = std::pow(densest_[phase], 0.5 * (laws[phase]->exponent - 1));
+        fastest[phase] += laws[phase]->sound_speed * (stiffened - 1);
+    }
+    return stable_time_step(model_, kernel_.smoothing_length, fastest, fluid_.water > 0,
+                            fluid_.water < fluid_.size());
 }
 
 double Simulation::momentum_error() const {
@@ -299,7 +313,7 @@ bool Simulation::drift(double duration) {
 std::optional<Instability> Simulation::last_kick(double dt) {
     const StageTimer timer(stages_.integration);
     const auto size = static_cast<std::int64_t>(fluid_.size());
-    double fastest_water = 0, fastest_air = 0;
+    double fastest_water = 0, fastest_air = 0, densest_water = 1, densest_air = 1;
     std::int64_t first_bad = size;
     const Vec2 margin = Vec2::Constant(kernel_.support_radius());
     const Vec2 low = domain_.low - margin, high = domain_.high + margin;
@@ -307,10 +321,10 @@ std::optional<Instability> Simulation::last_kick(double dt) {
     const double speeds[] = {highest_mach_number * model_.water.eos.sound_speed,
                              highest_mach_number * model_.air.eos.sound_speed};
     for (RigidBody& body : bodies_) body.kick(0.5 * dt);
-#pragma omp parallel for schedule(static) num_threads(threads_) reduction(max                           \
-                                                                          : fastest_water, fastest_air) \
-    reduction(min                                                                                       \
-              : first_bad)
+#pragma omp parallel for schedule(static) num_threads(threads_)                       \
+    reduction(max                                                                     \
+              : fastest_water, fastest_air, densest_water, densest_air) reduction(min \
+                                                                                  : first_bad)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         FluidState& p = fluid_.state[i];
@@ -321,6 +335,8 @@ std::optional<Instability> Simulation::last_kick(double dt) {
         double& fastest = water ? fastest_water : fastest_air;
         fastest = std::max(fastest, speed2);
         const double ratio = p.density / densities[water ? 0 : 1];
+        double& densest = water ? densest_water : densest_air;
+        densest = std::max(densest, ratio);
         const bool good = fluid_.density_rate[i] == fluid_.density_rate[i] && ratio > lowest_density_ratio &&
                           ratio < highest_density_ratio &&
                           speed2 < speeds[water ? 0 : 1] * speeds[water ? 0 : 1] && p.x > low.x() &&
@@ -328,6 +344,7 @@ std::optional<Instability> Simulation::last_kick(double dt) {
         if (!good) first_bad = std::min(first_bad, n);
     }
     fastest_ = {std::sqrt(fastest_water), std::sqrt(fastest_air)};
+    densest_ = {densest_water, densest_air};
     if (first_bad == size) return body_trouble(dt);
     const auto i = static_cast<std::size_t>(first_bad);
     const FluidState& bad = fluid_.state[i];
@@ -363,8 +380,7 @@ double Simulation::bytes_per_particle() const {
 }
 
 std::optional<Instability> Simulation::step(double longest) {
-    const TimeStep stable = stable_time_step(model_, kernel_.smoothing_length, fastest_, fluid_.water > 0,
-                                             fluid_.water < fluid_.size());
+    const TimeStep stable = stable_step();
     time_step_ = stable;
     const double dt = std::min(longest, stable.size);
     first_kick(dt);

@@ -96,6 +96,7 @@ class Simulation {
 
   private:
     PassInput pass_input();
+    TimeStep stable_step() const;
     void build_list();
     void first_kick(double dt);
     bool drift(double duration);
@@ -132,7 +133,8 @@ class Simulation {
     double time_ = 0;
     std::uint64_t steps_ = 0;
     std::uint64_t list_builds_ = 0;
-    std::array<double, phase_count> fastest_{};
+    std::array<double, phase_count> fastest_{};      ///< largest speed [m/s]
+    std::array<double, phase_count> densest_{1, 1};  ///< largest density over the reference, at least 1
     TimeStep time_step_;
     std::array<std::uint64_t, limiting_criterion_names.size()> limits_{};
     StageTimes stages_;

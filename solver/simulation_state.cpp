@@ -160,6 +160,7 @@ Simulation::State Simulation::state() const {
     state.arrays["bodies"] = numbers_of(bodies_);
     state.arrays["listed_bodies"] = numbers_of(built_bodies_);
     state.arrays["fastest"] = {fastest_.begin(), fastest_.end()};
+    state.arrays["densest"] = {densest_.begin(), densest_.end()};
     state.numbers["time"] = time_;
     state.numbers["steps"] = static_cast<double>(steps_);
     state.numbers["list_builds"] = static_cast<double>(list_builds_);
@@ -189,6 +190,7 @@ void Simulation::restore(const State& state) {
     const std::vector<double>& bodies = in.array("bodies", body_width * bodies_.size());
     const std::vector<double>& listed_bodies = in.array("listed_bodies", body_width * bodies_.size());
     const std::vector<double>& fastest = in.array("fastest", fastest_.size());
+    const std::vector<double>& densest = in.array("densest", densest_.size());
     std::vector<bool> seen(size, false);
     for (const double one : id) {
         const bool known = one >= 0 && one < static_cast<double>(size);
@@ -220,6 +222,7 @@ void Simulation::restore(const State& state) {
     fluid_.acceleration_y = acceleration_y;
     unflatten(wall_mean, walls_.mean);
     std::copy(fastest.begin(), fastest.end(), fastest_.begin());
+    std::copy(densest.begin(), densest.end(), densest_.begin());
     time_ = in.number("time");
     steps_ = in.count("steps");
     list_builds_ = in.count("list_builds");
