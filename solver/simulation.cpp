@@ -144,11 +144,23 @@ void Simulation::wall_pass() {
 void Simulation::momentum_pass() {
     const StageTimer timer(stages_.momentum);
     loops_.accelerations(pass_input());
-    if (model_.central_frequency == 0) return;
-    const double stiffness = model_.central_frequency * model_.central_frequency;
+    if (model_.central_frequency > 0) {
+        const double stiffness = model_.central_frequency * model_.central_frequency;
+        for (std::size_t i = 0; i < fluid_.size(); ++i) {
+            fluid_.acceleration_x[i] -= stiffness * fluid_.state[i].x;
+            fluid_.acceleration_y[i] -= stiffness * fluid_.state[i].y;
+        }
+    }
+    if (model_.sponge_thickness > 0) soak({&fluid_.acceleration_x, &fluid_.acceleration_y});
+}
+
+/// The sponge layer's factor on rates, Eqs. (24)-(25).
+void Simulation::soak(std::initializer_list<std::vector<double>*> rates) {
     for (std::size_t i = 0; i < fluid_.size(); ++i) {
-        fluid_.acceleration_x[i] -= stiffness * fluid_.state[i].x;
-        fluid_.acceleration_y[i] -= stiffness * fluid_.state[i].y;
+        const double distance = distance_to_wall(domain_, fluid_.state[i].x, fluid_.state[i].y);
+        if (distance >= model_.sponge_thickness) continue;
+        const double factor = sponge_factor(distance, model_.sponge_thickness);
+        for (std::vector<double>* rate : rates) (*rate)[i] *= factor;
     }
 }
 

@@ -45,7 +45,7 @@ TEST_CASE("an unknown key is named with file, line and the keys that would do") 
     const std::string text = with_line("[run]", "end_tim = 1.0");
     REQUIRE(refusal(text) ==
             place(text, "end_tim ", "run.end_tim") +
-                "unknown, expected one of end_time, frame_interval, frames, sample_interval");
+                "unknown, expected one of end_time, force_filter, frame_interval, frames, sample_interval");
 }
 
 TEST_CASE("an unknown key is found in every section") {
@@ -66,7 +66,7 @@ TEST_CASE("an unknown key is found in every section") {
 }
 
 TEST_CASE("an unknown section is refused") {
-    REQUIRE_THAT(refusal(small_scene + "[body]\nmass = 1\n"), Contains("key 'body': unknown"));
+    REQUIRE_THAT(refusal(small_scene + "[boat]\nmass = 1\n"), Contains("key 'boat': unknown"));
 }
 
 TEST_CASE("an unknown ingredient of the model is refused with the list of known ones") {
@@ -83,7 +83,8 @@ TEST_CASE("an unknown ingredient of the model is refused with the list of known 
     expect("pressure = \"hydrostatic\"", "pressure = \"zero\"", "initial.pressure",
            "is 'zero', expected one of hydrostatic, greco");
     expect("type = \"front\"", "type = \"back\"", "probes[0].type",
-           "is 'back', expected one of front, wall_pressure, water_depth");
+           "is 'back', expected one of front, wall_pressure, water_depth, body_pressure, face_pressure, "
+           "air_film, free_surface");
     REQUIRE_THAT(refusal(with("metric = \"mean\"", "metric = \"mode\"")),
                  Contains("is 'mode', expected one of mean, "));
     expect("x_scale = \"time\"", "x_scale = \"tempo\"", "quantities[0].x_scale",
@@ -232,7 +233,8 @@ TEST_CASE("names that stand for two things are refused") {
     REQUIRE_THAT(refusal(small_scene + again), EndsWith("key 'probes[3].name': is used twice"));
     const std::string quantity =
         "[[quantities]]\nname = \"front_mean\"\nmetric = \"mean\"\nseries = \"front\"\n";
-    REQUIRE_THAT(refusal(small_scene + quantity), EndsWith("key 'quantities[1].name': is used twice"));
+    REQUIRE_THAT(refusal(small_scene + quantity),
+                 EndsWith("key 'quantities[1].name': is used twice for one variant"));
 }
 
 TEST_CASE("an error quantity that is none of the quantities is refused") {
