@@ -37,8 +37,8 @@ std::string host_kind() {
 }  // namespace
 
 std::string Provenance::line() const {
-    return fmt::format("wetdeck {}, commit {}, {} {}, {}, {}, {} threads", program_version, commit, compiler,
-                       compiler_flags, simd, cpu, threads);
+    return fmt::format("wetdeck {}, commit {}, {} {}, {}, {}", program_version, commit, compiler,
+                       compiler_flags, simd, cpu);
 }
 
 void Provenance::add_to(std::map<std::string, std::string>& choices) const {

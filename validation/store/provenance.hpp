@@ -23,8 +23,8 @@ struct Provenance {
     unsigned threads = 0;
     std::string start_time;  ///< UTC, ISO 8601
 
-    /// One line for files that hold no more: version, commit, compiler and flags, processor, threads. Without
-    /// the start, so that the same run gives the same bytes.
+    /// One line for files that hold no more: version, commit, compiler and flags, processor. Without
+    /// start and threads, so that the same run gives the same bytes, on any number of threads.
     std::string line() const;
     /// As texts, by the names of the members, for RunRecord::choices.
     void add_to(std::map<std::string, std::string>& choices) const;
