@@ -72,7 +72,10 @@ std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord&
     options.y_min = scene.tank.low.y();
     options.y_max = scene.tank.high.y();
     options.particle_radius = 0.75 * record.particle_spacing;
-    options.water_max = scene.model.water.eos.reference_density * head;
+    // of a body that hits the water the colours must reach its impact, else the slam is one colour
+    double fastest = 0;
+    for (const BodySpec& spec : scene.bodies) fastest = std::max(fastest, spec.body.velocity.norm());
+    options.water_max = scene.model.water.eos.reference_density * (head + fastest * fastest);
     const bool air = record.choices.count("air") && record.choices.at("air") == "yes";
     if (air) options.air_speed_max = 4 * std::sqrt(head);
     const std::optional<double> scale = time_scale(scene.analysis);
