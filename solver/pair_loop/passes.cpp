@@ -3,59 +3,14 @@
 #include <algorithm>
 
 #include "solver/pair_loop/instruction_sets.hpp"
-#include "solver/pair_loop/pack.hpp"
-#include "solver/pair_loop/pair_loop.hpp"
+#include "solver/pair_loop/lanes.hpp"
+#include "solver/pair_loop/wall_pairs.hpp"
 #include "solver/physics/riemann.hpp"
 
 namespace wetdeck::WETDECK_ISA {
 namespace {
 
-/// The particles of a cluster, one per lane. Lanes beyond its count hold particles that are computed and not
-/// stored.
-struct Lanes {
-    Pack x, y, vx, vy, pressure, density, impact;
-};
-
-WETDECK_INLINE Lanes load(const FluidState* state, std::uint32_t first, std::uint32_t count) {
-    Lanes lanes;
-    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
-        const FluidState& particle = state[first + std::min(lane, count - 1)];
-        lanes.x.lanes[lane] = particle.x;
-        lanes.y.lanes[lane] = particle.y;
-        lanes.vx.lanes[lane] = particle.vx;
-        lanes.vy.lanes[lane] = particle.vy;
-        lanes.pressure.lanes[lane] = particle.pressure;
-        lanes.density.lanes[lane] = particle.density;
-        lanes.impact.lanes[lane] = particle.impact;
-    }
-    return lanes;
-}
-
-WETDECK_INLINE void store(Pack values, double* out, const Cluster& cluster) {
-    for (std::uint32_t lane = 0; lane < cluster.count; ++lane) out[cluster.first + lane] = values.lanes[lane];
-}
-
-/// Geometry of the pairs of a cluster with one neighbour; e points from i to j, e = -(dx, dy) / r.
-struct Separation {
-    Pack x, y, distance, inverse_distance;
-};
-
-/// A particle meets itself in its own list; the smallest distance keeps 1/r finite there, where all else is
-/// zero.
-template <class Eight>
-WETDECK_INLINE Separation separation(const Eight& i, double x, double y) {
-    constexpr double least_squared_distance = 1e-60;
-    Separation s;
-    s.x = i.x - x;
-    s.y = i.y - y;
-    const Pack squared = s.x * s.x + (s.y * s.y + least_squared_distance);
-    s.inverse_distance = inverse_sqrt(squared);
-    s.distance = squared * s.inverse_distance;
-    return s;
-}
-
 // --- continuity: d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*), Eq. (12)
-// -----------------------------------------------
 
 template <bool harmonic, bool hydrostatic>
 WETDECK_INLINE Pack density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
@@ -138,67 +93,7 @@ void density_rates(const PassInput& in) {
     }
 }
 
-// --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, Eq. (19)
-// -------------------------
-
-/// Eight boundary particles.
-struct WallLanes {
-    Pack x, y, vx, vy, nx, ny, drive_x, drive_y;  ///< drive: acceleration less gravity
-};
-
-WETDECK_INLINE WallLanes load(const PassInput& in, const Cluster& cluster) {
-    WallLanes w;
-    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
-        const WallState& particle = in.wall[cluster.first + std::min(lane, cluster.count - 1)];
-        w.x.lanes[lane] = particle.x;
-        w.y.lanes[lane] = particle.y;
-        w.vx.lanes[lane] = particle.vx;
-        w.vy.lanes[lane] = particle.vy;
-        w.nx.lanes[lane] = particle.nx;
-        w.ny.lanes[lane] = particle.ny;
-        w.drive_x.lanes[lane] = particle.ax - in.gravity.x();
-        w.drive_y.lanes[lane] = particle.ay - in.gravity.y();
-    }
-    return w;
-}
-
-/// The fluid in front of each particle's face counts: what is behind a thin body belongs to its other face.
-void wall_means(const PassInput& in) {
-    const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
-    const double inverse_h = 1 / in.kernel.smoothing_length;
-#pragma omp parallel for schedule(static) num_threads(in.threads)
-    for (std::int64_t n = 0; n < cluster_count; ++n) {
-        const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
-        const WallLanes w = load(in, cluster);
-        Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0;
-        const std::uint32_t count =
-            cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
-        for (std::uint32_t k = 0; k < count; ++k) {
-            const FluidState& f = in.fluid[cluster.neighbours[k]];
-            const Separation s = separation(w, f.x, f.y);
-            const Pack t = positive_part(2.0 - s.distance * inverse_h);
-            const Pack behind = s.x * w.nx + s.y * w.ny;
-            const Pack weight =
-                select(behind > 0.0, 0.0, t * t * t * t * (2.0 * s.distance * inverse_h + 1.0));
-            pressure_sum += weight * (f.pressure - f.density * (w.drive_x * s.x + w.drive_y * s.y));
-            weight_sum += weight;
-            vx_sum += weight * f.vx;
-            vy_sum += weight * f.vy;
-        }
-        const Pack inverse = 1.0 / maximum(weight_sum, 1e-300);
-        const Pack pressure = pressure_sum * inverse, vx = vx_sum * inverse, vy = vy_sum * inverse;
-        for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
-            in.new_wall_mean[cluster.first + lane] = {pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane]};
-        }
-    }
-}
-
 // --- momentum: dv_i/dt = (2/rho_i) SUM_j V_j P* F r_ij / r + g, Eq. (12)
-// ----------------------------------------------
-
-struct VectorSum {
-    Pack x = 0.0, y = 0.0;
-};
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched>
 WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
@@ -230,27 +125,6 @@ WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std:
     }
 }
 
-/// P* between a fluid particle and a boundary particle; either side may be the pack. (sx, sy) leads from the
-/// wall to the fluid, (vx, vy) is the fluid's velocity relative to the wall. A fluid particle behind the face
-/// takes the one-sided pressure: the mean there is that of the other side of a thin body.
-template <bool no_slip, bool shepard, class Fluid, class Wall>
-WETDECK_INLINE Pack wall_p_star(Fluid pressure, Fluid density, Pack sx, Pack sy, Pack vx, Pack vy,
-                                Pack inverse_distance, Wall nx, Wall ny, Wall drive_x, Wall drive_y,
-                                Wall mean_pressure, const WallCoefficients& c) {
-    const Pack height = sx * nx + sy * ny;
-    const Pack one_sided = one_sided_pressure(Pack(pressure), Pack(density), sx, sy, drive_x, drive_y);
-    Pack p_right = one_sided;
-    if constexpr (shepard) p_right = select(height > 0.0, mean_pressure, one_sided);
-    const Pack receding = vx * nx + vy * ny;
-    const Pack approach = select(height > 0.0, -receding, receding);
-    Pack p_star = 0.5 * (pressure + p_right) + riemann_dissipation(approach, c.limiter);
-    if constexpr (no_slip) {
-        const Pack closing = -(vx * sx + vy * sy) * inverse_distance;
-        p_star += c.viscosity * maximum(2.0 * closing, c.lowest_viscous_jump);
-    }
-    return p_star;
-}
-
 template <bool no_slip, bool shepard>
 void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
                        std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
@@ -269,52 +143,6 @@ void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t*
     }
     sum.x += in.wall_volume * wall.x;
     sum.y += in.wall_volume * wall.y;
-}
-
-/// The same pairs seen from eight boundary particles: minus twice V_i V_w P* F r_iw / r, less the slope
-/// factor.
-template <bool no_slip, bool shepard>
-void reaction_sum(const PassInput& in, const WallLanes& w, Pack mean, const std::uint32_t* neighbours,
-                  std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
-    const double inverse_h = 1 / in.kernel.smoothing_length;
-    for (std::uint32_t n = 0; n < count; ++n) {
-        const FluidState& f = in.fluid[neighbours[n]];
-        const Separation s = separation(w, f.x, f.y);
-        const Pack p_star =
-            wall_p_star<no_slip, shepard>(f.pressure, f.density, -s.x, -s.y, f.vx - w.vx, f.vy - w.vy,
-                                          s.inverse_distance, w.nx, w.ny, w.drive_x, w.drive_y, mean, c);
-        const Pack weight = f.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * p_star;
-        sum.x += weight * s.x;
-        sum.y += weight * s.y;
-    }
-}
-
-/// Force of the fluid on each boundary particle of a body, Eq. (20): minus the forces of its pairs.
-template <bool no_slip>
-void body_forces(const PassInput& in) {
-    const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
-    const double factor = 2 * in.kernel.slope_factor() * in.wall_volume;
-#pragma omp parallel for schedule(static) num_threads(in.threads)
-    for (std::int64_t n = 0; n < cluster_count; ++n) {
-        const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
-        if (cluster.first < in.fixed_walls) continue;
-        const WallLanes w = load(in, cluster);
-        Pack mean;
-        for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
-            mean.lanes[lane] = in.wall_mean[cluster.first + std::min(lane, cluster.count - 1)].pressure;
-        }
-        const std::uint32_t* neighbours = cluster.neighbours;
-        VectorSum sum;
-        for (std::size_t phase = 0; phase < phase_count; ++phase) {
-            const std::uint32_t count = cluster.fluid_neighbours[phase];
-            const auto reaction =
-                in.wall_pressure_mean[phase] ? reaction_sum<no_slip, true> : reaction_sum<no_slip, false>;
-            reaction(in, w, mean, neighbours, count, in.wall_pair[phase], sum);
-            neighbours += count;
-        }
-        store(factor * sum.x, in.wall_force_x, cluster);
-        store(factor * sum.y, in.wall_force_y, cluster);
-    }
 }
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched, bool no_slip>
@@ -343,7 +171,6 @@ void accelerations(const PassInput& in) {
 }
 
 // --- density and equation of state
-// -----------------------------------------------------------------------------------
 
 template <class Power>
 void advance_phase(FluidState* state, const double* rate, const double* mass, std::size_t first,
@@ -390,7 +217,6 @@ void advance_density(FluidState* state, const double* rate, const double* mass, 
 }
 
 // --- neighbour list
-// --------------------------------------------------------------------------------------------------
 
 std::uint32_t filter_near(const FluidState* cluster, std::uint32_t count, const double* candidates,
                           std::size_t stride, std::uint32_t begin, std::uint32_t end, double reach,
@@ -409,7 +235,6 @@ std::uint32_t filter_near(const FluidState* cluster, std::uint32_t count, const 
 }
 
 // --- choice of the passes, once per run
-// ------------------------------------------------------------------------------
 
 /// Calls f with one std::bool_constant per flag: run-time choices become template arguments.
 template <class F>
@@ -438,7 +263,7 @@ PairLoops choose_pair_loops(const Model& model) {
         },
         model.pressure_mean == Mean::harmonic, model.dissipation != Dissipation::none,
         model.viscosity != Viscosity::none, model.dissipation_switch, model.wall_slip == WallSlip::no);
-    loops.body_forces = model.wall_slip == WallSlip::no ? body_forces<true> : body_forces<false>;
+    loops.body_forces = body_force_pass(model);
     loops.advance_density = advance_density;
     loops.filter_near = filter_near;
     return loops;
