@@ -112,6 +112,7 @@ PassInput Simulation::pass_input() {
     PassInput in = inputs();
     in.new_wall_mean = walls_.mean.data();
     in.density_rate = fluid_.density_rate.data();
+    if (model_.full_cover > 0) in.cover = fluid_.cover.data();
     in.acceleration_x = fluid_.acceleration_x.data();
     in.acceleration_y = fluid_.acceleration_y.data();
     in.wall_force_x = walls_.force_x.data();
@@ -209,10 +210,12 @@ bool Simulation::place_bodies() {
 void Simulation::update_density(double dt) {
     const StageTimer timer(stages_.integration);
     const auto advance = [&](std::size_t first, std::size_t last, const TaitEquationOfState& eos) {
-        const double lowest =
-            model_.tension ? lowest_density_ratio * eos.reference_density : eos.reference_density;
+        DensityBounds bounds;
+        bounds.lowest = model_.tension ? lowest_density_ratio * eos.reference_density : eos.reference_density;
+        if (dt > 0 && first == 0 && model_.full_cover > 0) bounds.cover = fluid_.cover.data();
+        bounds.full_cover = model_.full_cover;
         loops_.advance_density(fluid_.state.data(), fluid_.density_rate.data(), fluid_.mass.data(), first,
-                               last, dt, eos, lowest, threads_);
+                               last, dt, eos, bounds, threads_);
     };
     advance(0, fluid_.water, model_.water.eos);
     advance(fluid_.water, fluid_.size(), model_.air.eos);

@@ -42,6 +42,7 @@ struct Model {
     double wall_dissipation = 3;  ///< limiter slope of the wall-normal dissipation, 0 for none
     double sponge_thickness = 0;  ///< of the layer along the tank's walls [m], 0 for none
     bool tension = true;          ///< false: density is kept at or above the reference (water without air)
+    double full_cover = 0.9;      ///< of a support that lets the density of water rise, 0 for any
 
     double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25

@@ -18,6 +18,7 @@ void FluidParticles::add(Phase phase, Vec2 position, double particle_mass, doubl
     state.push_back(particle);
     mass.push_back(particle_mass);
     density_rate.push_back(0);
+    cover.push_back(0);
     acceleration_x.push_back(0);
     acceleration_y.push_back(0);
     id.push_back(static_cast<std::uint32_t>(id.size()));

@@ -34,8 +34,9 @@ struct alignas(64) FluidState {
 /// Fluid particles: indices [0, water) are water, [water, size) air.
 struct FluidParticles {
     std::vector<FluidState> state;
-    std::vector<double> mass;                            ///< [kg/m]
-    std::vector<double> density_rate;                    ///< [kg/(m^3 s)]
+    std::vector<double> mass;          ///< [kg/m]
+    std::vector<double> density_rate;  ///< [kg/(m^3 s)]
+    std::vector<double> cover;         ///< SUM_j V_j W_ij, where densities are bounded by it
     std::vector<double> acceleration_x, acceleration_y;  ///< [m/s^2], gravity included
     std::vector<std::uint32_t> id;                       ///< stable under sorting
     std::size_t water = 0;                               ///< number of water particles
@@ -51,7 +52,7 @@ struct FluidParticles {
 struct alignas(64) WallState {
     double x = 0, y = 0;
     double vx = 0, vy = 0;  ///< velocity of the wall there [m/s]
-    double nx = 0, ny = 0;  ///< unit normal of the nearest face, into the fluid
+    double nx = 0, ny = 0;  ///< unit normal of the nearest face, into the fluid; zero at an edge
     double ax = 0, ay = 0;  ///< acceleration of the wall there [m/s^2]
 };
 

@@ -19,11 +19,7 @@ struct WendlandC2 {
     double normalisation() const { return 7 / (64 * std::numbers::pi * smoothing_length * smoothing_length); }
 
     /// W [1/m^2]
-    double value(double distance) const {
-        const double q = distance / smoothing_length;
-        const double t = positive_part(2 - q);
-        return normalisation() * t * t * t * t * (2 * q + 1);
-    }
+    double value(double distance) const { return normalisation() * bell(distance, 1 / smoothing_length); }
 
     /// -(dW/dr)/r [1/m^4] is slope_factor() times cube(2 - q): the pair loop applies the factor once per sum.
     double slope_factor() const { return 10 * normalisation() / (smoothing_length * smoothing_length); }
@@ -31,6 +27,14 @@ struct WendlandC2 {
     /// -(dW/dr)/r [1/m^4]
     double slope_over_distance(double distance) const {
         return slope_factor() * cubed_reach(distance, 1 / smoothing_length);
+    }
+
+    /// (2 - q)^4 (2 q + 1) inside the support, else 0.
+    template <class Real, class Scale>
+    static Real bell(Real distance, Scale inverse_smoothing_length) {
+        const Real q = distance * inverse_smoothing_length;
+        const Real t = positive_part(2.0 - q);
+        return t * t * t * t * (2.0 * q + 1.0);
     }
 
     /// (2 - q)^3 inside the support, else 0.

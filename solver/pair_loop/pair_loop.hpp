@@ -14,6 +14,7 @@
 #include "solver/core/model.hpp"
 #include "solver/core/particles.hpp"
 #include "solver/kernel/wendland_c2.hpp"
+#include "solver/physics/density_bounds.hpp"
 
 namespace wetdeck {
 
@@ -66,6 +67,7 @@ struct PassInput {
     double velocity_guard = 0;  ///< of the harmonic velocity mean [m/s]
     double pressure_guard = 0;  ///< of the harmonic pressure mean [Pa]
     double* density_rate = nullptr;
+    double* cover = nullptr;  ///< of water, SUM_j V_j W_ij; written by density_rates unless null
     double* acceleration_x = nullptr;
     double* acceleration_y = nullptr;
     std::size_t fixed_walls = 0;  ///< boundary particles from here on belong to bodies
@@ -85,7 +87,7 @@ struct PairLoops {
     Pass body_forces = nullptr;  ///< Eq. (20); writes wall_force of bodies that have fluid near
     /// Sets density from its rate, then volume and pressure, for particles [first, last).
     void (*advance_density)(FluidState*, const double* rate, const double* mass, std::size_t first,
-                            std::size_t last, double dt, const TaitEquationOfState&, double lowest_density,
+                            std::size_t last, double dt, const TaitEquationOfState&, const DensityBounds&,
                             int threads) = nullptr;
     /// Appends to `out` the candidates within `reach` of any of the `count` points.
     std::uint32_t (*filter_near)(const FluidState* cluster, std::uint32_t count, const double* candidate_x_y,

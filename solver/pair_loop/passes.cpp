@@ -12,9 +12,13 @@ namespace {
 
 // --- continuity: d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*), Eq. (12)
 
-template <bool harmonic, bool hydrostatic>
-WETDECK_INLINE Pack density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                std::uint32_t count, const PairCoefficients& c) {
+struct DensitySums {
+    Pack rate = 0.0, cover = 0.0;
+};
+
+template <bool harmonic, bool hydrostatic, bool covered>
+WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
+                                std::uint32_t count, const PairCoefficients& c, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
     Pack sum = 0.0;
@@ -35,25 +39,31 @@ WETDECK_INLINE Pack density_sum(const PassInput& in, const Lanes& i, const std::
             deficit = velocity_deficit(closing, jump * s.distance, c.weight_right, c.mobility);
         }
         sum += j.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * deficit;
+        if constexpr (covered) sums.cover += j.volume * WendlandC2::bell(s.distance, inverse_h);
     }
-    return sum;
+    sums.rate += sum;
 }
 
 /// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump.
 /// Where it is mirrored it moves along its face with the water around it.
-template <bool mirrored>
-Pack wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                      std::uint32_t count) {
+template <bool mirrored, bool covered>
+void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
+                      std::uint32_t count, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
-    Pack sum = 0.0, stretching = 0.0;
+    Pack sum = 0.0, stretching = 0.0, cover = 0.0;
     Pack nearest =
         1 / inverse_h;  // height above the first layer of dummy particles, half a spacing behind the face
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
         const Separation s = separation(i, w.x, w.y);
+        const Pack weight = WendlandC2::cubed_reach(s.distance, inverse_h);
+        if constexpr (covered) cover += WendlandC2::bell(s.distance, inverse_h);
+        if (w.nx == 0 && w.ny == 0) {  // an edge reverses the whole velocity
+            sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
+            continue;
+        }
         const Pack closing = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
         const Pack height = s.x * w.nx + s.y * w.ny;
-        const Pack weight = WendlandC2::cubed_reach(s.distance, inverse_h);
         sum += weight * closing * height;
         if constexpr (mirrored) {
             const WallMean& mean = in.wall_mean[neighbours[n]];
@@ -68,7 +78,24 @@ Pack wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         const Pack distance = nearest * (1 / in.particle_spacing) - 0.5;
         sum = sum - 0.5 * stretching_share(distance) * stretching;
     }
-    return in.wall_volume * sum;
+    sums.rate += in.wall_volume * sum;
+    if constexpr (covered) sums.cover += in.wall_volume * cover;
+}
+
+template <bool harmonic, bool hydrostatic, bool mirrored, bool covered>
+WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cluster) {
+    const Lanes i = load(in.fluid, cluster.first, cluster.count);
+    const auto& coefficients = in.pair[static_cast<std::size_t>(cluster.phase)];
+    const std::uint32_t* neighbours = cluster.neighbours;
+    DensitySums sums;
+    for (std::size_t phase = 0; phase < phase_count; ++phase) {
+        const std::uint32_t count = cluster.fluid_neighbours[phase];
+        density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, coefficients[phase], sums);
+        neighbours += count;
+    }
+    wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, sums);
+    store(2 * in.kernel.slope_factor() * i.density * sums.rate, in.density_rate, cluster);
+    if constexpr (covered) store(in.kernel.normalisation() * sums.cover, in.cover, cluster);
 }
 
 template <bool harmonic, bool hydrostatic, bool mirrored>
@@ -77,19 +104,13 @@ void density_rates(const PassInput& in) {
 #pragma omp parallel for schedule(static) num_threads(in.threads)
     for (std::int64_t n = 0; n < cluster_count; ++n) {
         const Cluster& cluster = (*in.clusters)[static_cast<std::size_t>(n)];
-        const Lanes i = load(in.fluid, cluster.first, cluster.count);
-        const auto& coefficients = in.pair[static_cast<std::size_t>(cluster.phase)];
-        const std::uint32_t* neighbours = cluster.neighbours;
-        Pack sum = 0.0;
-        for (std::size_t phase = 0; phase < phase_count; ++phase) {
-            const std::uint32_t count = cluster.fluid_neighbours[phase];
-            sum += density_sum<harmonic, hydrostatic>(in, i, neighbours, count, coefficients[phase]);
-            neighbours += count;
+        if (cluster.phase == Phase::air) {
+            cluster_density_rates<harmonic, hydrostatic, false, false>(in, cluster);
+        } else if (in.cover) {
+            cluster_density_rates<harmonic, hydrostatic, mirrored, true>(in, cluster);
+        } else {
+            cluster_density_rates<harmonic, hydrostatic, mirrored, false>(in, cluster);
         }
-        const bool along = mirrored && cluster.phase == Phase::water;
-        const auto wall_sum = along ? wall_density_sum<true> : wall_density_sum<false>;
-        sum += wall_sum(in, i, neighbours, cluster.wall_neighbours);
-        store(2 * in.kernel.slope_factor() * i.density * sum, in.density_rate, cluster);
     }
 }
 
@@ -174,18 +195,19 @@ void accelerations(const PassInput& in) {
 
 template <class Power>
 void advance_phase(FluidState* state, const double* rate, const double* mass, std::size_t first,
-                   std::size_t last, double dt, const TaitEquationOfState& eos, double lowest_density,
+                   std::size_t last, double dt, const TaitEquationOfState& eos, const DensityBounds& bounds,
                    int threads, Power power) {
     const auto blocks = static_cast<std::int64_t>((last - first + cluster_width - 1) / cluster_width);
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t block = 0; block < blocks; ++block) {
         const std::size_t begin = first + static_cast<std::size_t>(block) * cluster_width;
         const std::size_t count = std::min<std::size_t>(cluster_width, last - begin);
-        Pack density = eos.reference_density;
+        Pack density = eos.reference_density, cover = 1.0;
         for (std::size_t lane = 0; lane < count; ++lane) {
             density.lanes[lane] = state[begin + lane].density + dt * rate[begin + lane];
+            if (bounds.cover) cover.lanes[lane] = bounds.cover[begin + lane];
         }
-        density = maximum(density, lowest_density);
+        density = bounds.limit(density, cover, eos.reference_density);
         const Pack ratio = density * (1 / eos.reference_density);
         const Pack pressure = eos.coefficient() * (power(ratio) - 1.0) + eos.background_pressure;
         for (std::size_t lane = 0; lane < count; ++lane) {
@@ -198,10 +220,10 @@ void advance_phase(FluidState* state, const double* rate, const double* mass, st
 }
 
 void advance_density(FluidState* state, const double* rate, const double* mass, std::size_t first,
-                     std::size_t last, double dt, const TaitEquationOfState& eos, double lowest_density,
+                     std::size_t last, double dt, const TaitEquationOfState& eos, const DensityBounds& bounds,
                      int threads) {
     const auto advance = [&](auto power) {
-        advance_phase(state, rate, mass, first, last, dt, eos, lowest_density, threads, power);
+        advance_phase(state, rate, mass, first, last, dt, eos, bounds, threads, power);
     };
     if (eos.exponent == 7) {
         advance([](Pack x) { return power_seven(x); });

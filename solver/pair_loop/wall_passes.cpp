@@ -21,10 +21,8 @@ void wall_means(const PassInput& in) {
         for (std::uint32_t k = 0; k < count; ++k) {
             const FluidState& f = in.fluid[cluster.neighbours[k]];
             const Separation s = separation(w, f.x, f.y);
-            const Pack t = positive_part(2.0 - s.distance * inverse_h);
             const Pack behind = s.x * w.nx + s.y * w.ny;
-            const Pack weight =
-                select(behind > 0.0, 0.0, t * t * t * t * (2.0 * s.distance * inverse_h + 1.0));
+            const Pack weight = select(behind > 0.0, 0.0, WendlandC2::bell(s.distance, inverse_h));
             pressure_sum += weight * (f.pressure - f.density * (w.drive_x * s.x + w.drive_y * s.y));
             weight_sum += weight;
             vx_sum += weight * f.vx;

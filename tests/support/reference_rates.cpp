@@ -170,12 +170,14 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         if (offset.norm() >= kernel.support_radius()) continue;
         const Vec2 e = -offset.normalized(), n = normal(wall), t = tangent(wall);
         const double slope = particle_spacing * particle_spacing * kernel_slope(kernel, offset.norm());
-        sums.compression += slope * velocity.dot(n) * n.dot(e);
+        const bool edge = n.norm() == 0;
+        sums.compression += slope * (edge ? velocity.dot(e) : velocity.dot(n) * n.dot(e));
         const bool in_front = offset.dot(n) > 0;
         if (in_front) {
             stretching += slope * (p.velocity() - Vec2(rates.wall[w].vx, rates.wall[w].vy)).dot(t) * t.dot(e);
         }
-        if (std::abs(offset.dot(n)) >= std::abs(offset.dot(t))) nearest = std::min(nearest, offset.dot(n));
+        if (!edge && std::abs(offset.dot(n)) >= std::abs(offset.dot(t)))
+            nearest = std::min(nearest, offset.dot(n));
 
         const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
                                                     wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
@@ -213,6 +215,13 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
             sums.compression += slope * (pair.u_left() - pair.u_star());
             sums.push -= slope * pair.p_star(kernel.smoothing_length) * pair.e();
         }
+        const Vec2 here = fluid.state[i].position();
+        double cover = 0;
+        for (const FluidState& p : fluid.state)
+            cover += p.volume * kernel.value((here - p.position()).norm());
+        for (const WallState& w : walls.state)
+            cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
+        rates.cover.push_back(cover);
         const double density = fluid.state[i].density;
         rates.density.push_back(2 * density * sums.compression);
         rates.acceleration_x.push_back(2 / density * sums.push.x() + model.gravity.x());

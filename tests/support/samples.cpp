@@ -89,6 +89,7 @@ Model paper_model() {
     model.wall_velocity = WallVelocity::normal;
     model.wall_dissipation = 0;
     model.courant_number = 0.25;
+    model.full_cover = 0;
     return model;
 }
 

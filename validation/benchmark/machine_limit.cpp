@@ -44,10 +44,11 @@ ArithmeticLimit arithmetic_limit(const Simulation& simulation, int threads) {
         sample.insert(sample.end(), repeats_in_place, all[n]);
 
     const std::size_t size = simulation.fluid().size();
-    std::vector<double> density_rate(size), acceleration_x(size), acceleration_y(size);
+    std::vector<double> density_rate(size), cover(size), acceleration_x(size), acceleration_y(size);
     PassInput in = simulation.inputs();
     in.clusters = &sample;
     in.density_rate = density_rate.data();
+    if (simulation.model().full_cover > 0) in.cover = cover.data();
     in.acceleration_x = acceleration_x.data();
     in.acceleration_y = acceleration_y.data();
     in.threads = threads;

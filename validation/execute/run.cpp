@@ -50,6 +50,7 @@ void record_parameters(RunRecord& record, const Scene& scene, const Simulation& 
     p["model.dissipation_slope"] = m.dissipation_slope;
     p["model.air_dissipation"] = m.air_dissipation;
     p["model.wall_dissipation"] = m.wall_dissipation;
+    p["model.full_cover"] = m.full_cover;
     p["model.smoothing_ratio"] = m.smoothing_ratio;
     p["model.courant_number"] = m.courant_number;
     p["model.skin"] = m.skin;

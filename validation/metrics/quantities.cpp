@@ -51,6 +51,12 @@ double slope(const Curve& curve) {
     return gradient;
 }
 
+double proportion(const Curve& curve) {
+    double factor = 0, variance = 0, residual = 0;
+    gsl_fit_mul(curve.x.data(), 1, curve.y.data(), 1, curve.x.size(), &factor, &variance, &residual);
+    return factor;
+}
+
 Outcome first_crossing(const Curve& curve, const Window& window, double threshold) {
     const Curve part = clip(curve, window);
     for (std::size_t i = 1; i < part.x.size(); ++i) {
@@ -109,6 +115,7 @@ const std::map<std::string, double (*)(const Curve&)>& window_metrics() {
         {"time_of_maximum", [](const Curve& c) { return c.x[index_of_maximum(c)]; }},
         {"minimum", [](const Curve& c) { return *std::min_element(c.y.begin(), c.y.end()); }},
         {"slope", slope},
+        {"proportion", proportion},
         {"integral", integral},
         {"change", [](const Curve& c) { return c.y.back() - c.y.front(); }}};
     return metrics;
@@ -119,11 +126,12 @@ void check(const QuantitySpec& spec) {
     const bool thresholded =
         spec.metric == "first_crossing" || spec.metric == "value_at" || spec.metric == "first_peak_integral";
     if (!windowed && !thresholded && spec.metric != "rms_difference") {
-        throw InputError(fmt::format(
-            "quantity '{}': unknown metric '{}', expected mean, standard_deviation, maximum, "
-            "time_of_maximum, minimum, "
-            "slope, integral, change, first_crossing, value_at, first_peak_integral or rms_difference",
-            spec.name, spec.metric));
+        throw InputError(
+            fmt::format("quantity '{}': unknown metric '{}', expected mean, standard_deviation, maximum, "
+                        "time_of_maximum, minimum, "
+                        "slope, proportion, integral, change, first_crossing, value_at, first_peak_integral "
+                        "or rms_difference",
+                        spec.name, spec.metric));
     }
     if (thresholded) require(spec.threshold.has_value(), spec, "threshold");
     if (spec.metric == "rms_difference") {

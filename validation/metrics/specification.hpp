@@ -31,7 +31,8 @@ struct SeriesScaling {
 /// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
 struct QuantitySpec : SeriesScaling {
     std::string name;
-    /// mean, standard_deviation, maximum, time_of_maximum, minimum, slope (least squares), first_crossing
+    /// mean, standard_deviation, maximum, time_of_maximum, minimum, slope (least squares),
+    /// proportion (slope of the least-squares line through the origin), first_crossing
     /// (upward through `threshold`), value_at (at `threshold` on the abscissa), rms_difference (root mean
     /// square difference to `reference` at 2000 equidistant instants of the window, both interpolated
     /// linearly, no time shift), integral, change (last value less the first), first_peak_integral (from the

@@ -24,6 +24,10 @@ const std::map<std::string, std::string>& classes_by_unit() {
     return classes;
 }
 
+bool is_slope(const std::string& metric) {
+    return metric == "slope" || metric == "proportion";
+}
+
 bool is_integral(const std::string& metric) {
     return metric == "integral" || metric == "first_peak_integral";
 }
@@ -64,7 +68,7 @@ struct SiScale {
 
 SiScale si_scale(const QuantitySpec& spec, const std::string& unit) {
     if (is_time(spec.metric)) return {spec.x_scale, "s"};
-    if (spec.metric == "slope") return {spec.y_scale / spec.x_scale, unit + "/s"};
+    if (is_slope(spec.metric)) return {spec.y_scale / spec.x_scale, unit + "/s"};
     if (is_integral(spec.metric)) return {spec.y_scale * spec.x_scale, unit == "N/m" ? "N s/m" : unit + " s"};
     return {spec.y_scale, unit};
 }
@@ -123,12 +127,12 @@ std::string reason_to_drop(const ScatterPoint& point) {
 
 std::string quantity_class(const std::string& metric, const std::string& series_unit) {
     if (is_time(metric)) return "time";
-    if (metric == "slope" && series_unit == "m") return "velocity";
+    if (is_slope(metric) && series_unit == "m") return "velocity";
     if (is_integral(metric) && series_unit == "N/m") return "impulse";
     const auto found = classes_by_unit().find(series_unit);
     const std::string name = found == classes_by_unit().end() ? "other" : found->second;
     if (is_integral(metric)) return "integral of " + name;
-    return metric == "slope" ? "slope of " + name : name;
+    return is_slope(metric) ? "slope of " + name : name;
 }
 
 std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {

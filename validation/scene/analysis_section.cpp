@@ -12,10 +12,19 @@
 namespace wetdeck {
 namespace {
 
-const std::vector<std::string> metric_names = {
-    "mean",   "standard_deviation", "maximum",  "time_of_maximum", "minimum",
-    "slope",  "first_crossing",     "value_at", "rms_difference",  "integral",
-    "change", "first_peak_integral"};
+const std::vector<std::string> metric_names = {"mean",
+                                               "standard_deviation",
+                                               "maximum",
+                                               "time_of_maximum",
+                                               "minimum",
+                                               "slope",
+                                               "proportion",
+                                               "first_crossing",
+                                               "value_at",
+                                               "rms_difference",
+                                               "integral",
+                                               "change",
+                                               "first_peak_integral"};
 
 /// A scale or an origin is a name from [scales] or [origins].
 double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {

@@ -39,6 +39,7 @@ std::vector<Ingredient> ingredients_of(const Scene& scene) {
     add(m.water.eos.background_pressure > 0 && m.pressure_mean != Mean::harmonic, "background pressure",
         {"model.background_pressure=0"});
     add(m.pressure_diffusion > 0, "pressure diffusion", {"model.pressure_diffusion=0"});
+    add(m.full_cover > 0, "density bound", {"model.full_cover=0"});
     add(m.dissipation_switch, "switched dissipation", {"model.dissipation_switch=false"});
     return all;
 }

@@ -108,6 +108,8 @@ void read_model(const TomlTable& root, Scene& scene) {
     m.wall_slip = named(model, "wall_slip", m.wall_slip, slips);
     m.sponge_thickness = share(model, "sponge_thickness", m.sponge_thickness);
     m.tension = model.boolean_or("tension", scene.air);
+    m.full_cover = share(model, "full_cover", m.full_cover);
+    if (m.full_cover > 1) model.fail("full_cover", fmt::format("is {}, expected 0 to 1", m.full_cover));
     m.smoothing_ratio = model.number_or("smoothing_ratio", m.smoothing_ratio);
     if (!(m.smoothing_ratio >= 1 && m.smoothing_ratio <= 3)) {
         model.fail("smoothing_ratio", fmt::format("is {}, expected 1 to 3", m.smoothing_ratio));

@@ -24,6 +24,7 @@ void apply(Scheme scheme, Model& model) {
         return;
     }
     model.velocity_mean = model.pressure_mean = Mean::harmonic;
+    model.full_cover = 0;
     model.hydrostatic_correction = false;
     model.viscosity = Viscosity::approaching;
     model.dissipation_switch = true;

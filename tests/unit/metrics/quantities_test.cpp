@@ -61,6 +61,12 @@ TEST_CASE("Each metric gives the known number of a made-up series", "[quantities
     CHECK(evaluate(spec, run_with(line)).value.value() == Approx(expected).epsilon(1e-5));
 }
 
+TEST_CASE("A proportion is the slope of the best line through the origin", "[quantities]") {
+    RunRecord record;
+    record.series["p"] = {"-", "", {1, 2, 3}, {1, 3, 2}, {}};
+    CHECK(evaluate(spec_of("proportion"), record).value.value() == Approx((1 + 6 + 6) / 14.0));
+}
+
 TEST_CASE("Uneven sampling does not weigh in a mean", "[quantities]") {
     RunRecord record;
     record.series["p"] = {"-", "", {0, 0.001, 0.002, 0.003, 1, 2}, {1, 1, 1, 1, 1, 3}, {}};

@@ -95,7 +95,9 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
         }
         const std::vector<FluidState> before = state;
         const PairLoops loops = pair_loops(samples::two_phase_model(), name.c_str());
-        loops.advance_density(state.data(), rate.data(), mass.data(), 2, 19, dt, eos, lowest, 1);
+        DensityBounds bounds;
+        bounds.lowest = lowest;
+        loops.advance_density(state.data(), rate.data(), mass.data(), 2, 19, dt, eos, bounds, 1);
         for (std::size_t i = 0; i < state.size(); ++i) {
             const bool advanced = i >= 2 && i < 19;
             const double density =
