@@ -15,6 +15,7 @@ Problem acoustic_pulse();
 Problem hydrostatic_tank();
 Problem gravity_wave();
 Problem taylor_green();
+Problem layered_flow();
 Problem oscillating_drop();
 Problem square_patch();
 Problem block_impact();
