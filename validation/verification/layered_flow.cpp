@@ -92,8 +92,8 @@ class ExactFlow {
 
 Simulation channel(const Case& c, const ExactFlow& exact, double dx) {
     // twice the dynamic pressure of either fluid, what disorder can suck; more drowns the upper one's stress
-    const double background = std::max(water_density * std::pow(exact.fastest_below(), 2),
-                                       exact.upper_density * fastest * fastest);
+    const double background =
+        std::max(water_density * std::pow(exact.fastest_below(), 2), exact.upper_density * fastest * fastest);
     Model model = two_phase_model(sound_speed, sound_speed, background);
     model.air.eos = {exact.upper_density, sound_speed, 7, background};
     model.viscosity = Viscosity::symmetric;
@@ -193,8 +193,11 @@ void run_case(Findings& findings, const Case& c) {
             line.y.push_back(y / height);
         }
         findings.record("profile_" + c.name, dx / height, std::sqrt(squares / rows) / fastest);
-        std::printf("%s %g: stress %g exact %g wall %g, below %g u_I %g\n", c.name.c_str(), dx, profile.stress_sum / profile.samples, exact.interface_stress(), exact.wall_stress(), exact.fastest_below(), exact.speed(interface));
-        for (std::size_t k=0;k<line.x.size();++k) std::printf("   y %.4f u %.5f exact %.5f\n", line.y[k], line.x[k], exact.speed(line.y[k]));
+        std::printf("%s %g: stress %g exact %g wall %g, below %g u_I %g\n", c.name.c_str(), dx,
+                    profile.stress_sum / profile.samples, exact.interface_stress(), exact.wall_stress(),
+                    exact.fastest_below(), exact.speed(interface));
+        for (std::size_t k = 0; k < line.x.size(); ++k)
+            std::printf("   y %.4f u %.5f exact %.5f\n", line.y[k], line.x[k], exact.speed(line.y[k]));
         findings.record("stress_" + c.name, dx / height,
                         std::abs((profile.stress_sum / profile.samples - exact.interface_stress()) /
                                  exact.wall_stress()));

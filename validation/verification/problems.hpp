@@ -24,6 +24,7 @@ Problem ritter();
 Problem released_column();
 Problem free_flight();
 Problem floating_body();
+Problem heave_decay();
 
 const std::vector<Problem>& all_problems();
 
