@@ -2,6 +2,7 @@
 // Two fluids of different viscosity between no-slip walls, one above the other: driven by the upper wall
 // (Couette) or by a force along the channel (Poiseuille). The channel is periodic along the flow.
 #include <cmath>
+#include <numbers>
 
 #include "validation/verification/numerics.hpp"
 #include "validation/verification/problems.hpp"
@@ -193,11 +194,6 @@ void run_case(Findings& findings, const Case& c) {
             line.y.push_back(y / height);
         }
         findings.record("profile_" + c.name, dx / height, std::sqrt(squares / rows) / fastest);
-        std::printf("%s %g: stress %g exact %g wall %g, below %g u_I %g\n", c.name.c_str(), dx,
-                    profile.stress_sum / profile.samples, exact.interface_stress(), exact.wall_stress(),
-                    exact.fastest_below(), exact.speed(interface));
-        for (std::size_t k = 0; k < line.x.size(); ++k)
-            std::printf("   y %.4f u %.5f exact %.5f\n", line.y[k], line.x[k], exact.speed(line.y[k]));
         findings.record("stress_" + c.name, dx / height,
                         std::abs((profile.stress_sum / profile.samples - exact.interface_stress()) /
                                  exact.wall_stress()));
@@ -206,8 +202,42 @@ void run_case(Findings& findings, const Case& c) {
     findings.figure(std::move(figure));
 }
 
+/// Viscous stress of even shear along a lattice whose rows slide over each other, over the nominal one: sums
+/// over the rows and, as every offset comes, an integral along them, over the integral across as well.
+double share_of_sliding_rows() {
+    const double h = Model{}.smoothing_ratio;
+    const WendlandC2 kernel{h};
+    double sum = 0;
+    for (int row = 1; row < kernel.support_radius(); ++row) {
+        const double end = std::sqrt(kernel.support_radius() * kernel.support_radius() - row * row);
+        sum += 4 * integral(
+                       [&](double x) {
+                           return kernel.slope_over_distance(std::hypot(x, row)) * x * x * row * row /
+                                  std::hypot(x, row);
+                       },
+                       0, end);
+    }
+    const double whole = integral(
+        [&](double r) { return std::numbers::pi / 4 * r * r * r * r * kernel.slope_over_distance(r); }, 0,
+        kernel.support_radius());
+    return sum / whole;
+}
+
 void run(Findings& findings) {
     for (const Case& c : cases()) run_case(findings, c);
+    char text[500];
+    std::snprintf(
+        text, sizeof text,
+        "Rows of particles slide over each other; the kernel's moment of such rows gives %.4f of the nominal "
+        "viscosity at the scheme's h/dx, and no refinement changes that. Couette flow then has the right "
+        "profile and too little stress, Poiseuille flow too much speed: with respect to the nominal "
+        "viscosity "
+        "neither converges. The background pressure is that of the flow: with 1000 Pa, two thousand times "
+        "the stress of the upper fluid, the forces of disorder drown the stress at 1000 to 1 (58 %% off at "
+        "20 "
+        "spacings, 88 %% at 40).",
+        share_of_sliding_rows());
+    findings.note(text);
 }
 
 }  // namespace
@@ -216,14 +246,44 @@ Problem layered_flow() {
     Problem problem;
     problem.name = "layered_flow";
     problem.title = "Two layers between no-slip walls";
-    problem.exact = "TODO";
-    const double h = Model{}.smoothing_ratio * coarsest;
+    problem.exact =
+        "mu_k u'' = -rho_k g in each layer, u continuous and mu u' continuous at the interface, u that of "
+        "the walls. "
+        "Viscosities 1, 20 and 1000 to 1, densities 1, 4 and 200 to 1; driven by the upper wall at 1 m/s or "
+        "by a force "
+        "along the channel that gives 1 m/s. Errors grow from the exact flow until steady.";
+    const std::string resolution = "dx / height H";
+    const double missing = 1 - share_of_sliding_rows();
     for (const Case& c : cases()) {
         const ExactFlow exact(c);
-        problem.claims.push_back({"profile_" + c.name, "rms", "dx / height H",
-                                  0.5 * h * exact.steepest() / fastest, Window{0.5, 2.5}, "TODO"});
+        const double slipped = 0.5 * coarsest * exact.steepest() / fastest;
+        Claim profile{
+            "profile_" + c.name,
+            "rms difference of the rows' mean speed over the largest, " + c.words,
+            resolution,
+            slipped,
+            Window{0.5, 2.5},
+            "half a spacing of the steepest slope: the pairwise no-slip wall and the harmonic mean are right "
+            "for a pair that lies evenly about the plane, so that only a strip of one smoothing length is "
+            "wrong; first order"};
+        if (!c.moving_wall) {
+            profile.bound += missing;
+            profile.order = {};
+            profile.reason =
+                "half a spacing of the steepest slope, and the viscosity that sliding rows lack (2.2 %), "
+                "which stays: no order "
+                "expected";
+        }
+        problem.claims.push_back(profile);
         problem.claims.push_back(
-            {"stress_" + c.name, "stress", "dx / height H", 3 * 0.5 * h / height + 0.064, {}, "TODO"});
+            {"stress_" + c.name,
+             "error of the stress between the fluids over that on the upper wall, " + c.words,
+             resolution,
+             missing + 0.5 * coarsest / height,
+             {},
+             "the viscosity that sliding rows lack, 2.2 %, which stays, and half a spacing of the height: no "
+             "order "
+             "expected"});
     }
     problem.run = run;
     return problem;
