@@ -225,7 +225,7 @@ double share_of_sliding_rows() {
 
 void run(Findings& findings) {
     for (const Case& c : cases()) run_case(findings, c);
-    char text[500];
+    char text[700];
     std::snprintf(
         text, sizeof text,
         "Rows of particles slide over each other; the kernel's moment of such rows gives %.4f of the nominal "

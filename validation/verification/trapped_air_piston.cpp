@@ -22,7 +22,9 @@ const std::vector<Law>& laws() {
     static const std::vector<Law> list = {
         {"soft", "gamma = 1.4, softer than the equal-coefficient rule", 1.4, 170, 100, 0.5},
         {"real", "gamma = 1.4, sound speed of real air", 1.4, 340, 100, 0.5},
-        {"stiff", "gamma = 7", 7, 170, 100, 0.85}};
+        {"stiff", "gamma = 7", 7, 170, 100, 0.85},
+        // sqrt(1000 / 1 * 1.4 / 7) times the water's speed
+        {"equal", "gamma = 1.4, equal-coefficient rule", 1.4, 1414.2, 100, 0.85}};
     return list;
 }
 
