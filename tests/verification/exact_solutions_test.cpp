@@ -31,7 +31,7 @@ TEST_CASE("Boundary elements reproduce a harmonic function", "[exact]") {
         return (found - expected).tail(size - valued).cwiseAbs().maxCoeff();
     };
     CHECK(worst(40) < 0.01 * 4);
-    CHECK(worst(40) < 0.4 * worst(20));  // nearly second order for the values
+    CHECK(worst(40) < 0.6 * worst(20));  // first order: values are even along the panels at the corners
 }
 
 TEST_CASE("The added mass of a half-submerged circle in fast heave is that of half a circle in open water",
