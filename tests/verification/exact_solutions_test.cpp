@@ -57,11 +57,28 @@ TEST_CASE("The added mass of a half-submerged circle in fast heave is that of ha
     Eigen::VectorXd given = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(panels.size()));
     for (Eigen::Index k = surface; k < surface + wet; ++k)
         given[k] = panels[static_cast<std::size_t>(k)].normal().y();
-    const Eigen::VectorXd found = mixed_solution(panels, surface) * given;
+    const Eigen::MatrixXd solution = mixed_solution(panels, surface);
+    const Eigen::VectorXd found = solution * given;
     double added_mass = 0;
     for (Eigen::Index k = surface; k < surface + wet; ++k)
         added_mass += panels[static_cast<std::size_t>(k)].length() * given[k] * found[k];
     CHECK(added_mass == Approx(0.5 * std::numbers::pi * radius * radius).epsilon(0.01));
+
+    // what heave moves through the surface, and the force of a potential on the surface, are one by Green's
+    // second identity: without that, heave and waves would not exchange equal energies
+    Eigen::VectorXd potential = Eigen::VectorXd::Zero(given.size());
+    double flux = 0, work = 0, force = 0;
+    for (Eigen::Index k = 0; k < surface; ++k) {
+        const Panel& panel = panels[static_cast<std::size_t>(k)];
+        potential[k] = std::exp(-std::pow(panel.middle().x() - 2, 2));
+        flux += panel.length() * found[k];
+        work += panel.length() * found[k] * potential[k];
+    }
+    const Eigen::VectorXd waves = solution * potential;
+    for (Eigen::Index k = surface; k < surface + wet; ++k)
+        force += panels[static_cast<std::size_t>(k)].length() * given[k] * waves[k];
+    CHECK(flux == Approx(-2 * radius).epsilon(0.01));
+    CHECK(force == Approx(-work).epsilon(0.01));
 }
 
 TEST_CASE("The tips of a rotating square of fluid fly straight on, its cells keep their areas", "[exact]") {

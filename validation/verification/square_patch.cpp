@@ -56,6 +56,8 @@ Shape compare(const FluidParticles& end, const FluidParticles& start, const Rota
         shape.outline.x.push_back(at.x());
         shape.outline.y.push_back(at.y());
     }
+    shape.outline.x.push_back(shape.outline.x.front());
+    shape.outline.y.push_back(shape.outline.y.front());
     return shape;
 }
 
