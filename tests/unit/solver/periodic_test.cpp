@@ -152,7 +152,14 @@ TEST_CASE("What a periodic domain cannot have is refused", "[periodic]") {
     SECTION("less room than two supports") {
         setup.domain.high.x() = 0.25;
     }
-    CHECK_THROWS_AS(setup.simulate(), InputError);
+    std::vector<RigidBody> bodies;
+    SECTION("a body") {
+        bodies.resize(1);
+        bodies[0].free = {false, false, false};
+    }
+    CHECK_THROWS_AS(
+        Simulation(setup.model, setup.fluid, setup.walls, setup.particle_spacing, setup.domain, bodies),
+        InputError);
 }
 
 TEST_CASE("Bed and lid of a periodic tank run on beyond its ends", "[periodic]") {
