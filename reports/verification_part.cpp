@@ -31,14 +31,15 @@ Cell held(const VerificationRow& row) {
 }
 
 std::string claims_table(const VerificationProblem& problem) {
-    Table table({"error", "resolution", "came out", "bound at the coarsest", "order", "verdict",
-                 "why this bound and order"});
+    Table table(
+        {"error", "verdict", "came out, coarse to fine", "bound", "order", "why this bound and order"});
     for (const VerificationRow& row : problem.rows) {
+        std::string errors = joined(row.error);
+        if (row.claim.resolution != "none")
+            errors += "<br><span class=\"soft\">" + escape(row.claim.resolution) + " " +
+                      joined(row.resolution) + "</span>";
         table.add({markup("<b>" + escape(row.claim.quantity) + "</b><br>" + escape(row.claim.meaning)),
-                   row.claim.resolution == "none"
-                       ? text("—")
-                       : markup(escape(row.claim.resolution) + "<br>" + joined(row.resolution), "number"),
-                   markup(joined(row.error), "number"), value(row.claim.bound), order_cell(row), held(row),
+                   held(row), markup(errors, "number"), value(row.claim.bound), order_cell(row),
                    markup(escape(row.claim.reason), "wide")});
     }
     return table.html();

@@ -66,13 +66,15 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()),
       loops_(pair_loops(model)),
       list_(domain, particle_spacing, kernel_.support_radius(), model.skin * kernel_.smoothing_length,
-            needs_wall_means(model) || !bodies_.empty()) {
+            needs_wall_means(model) || !bodies_.empty(), model.periodic_x) {
     for (const BodyPoint& point : walls_.body_point) {
         double& radius = body_radii_.at(point.body);
         radius = std::max(radius, std::hypot(point.x, point.y));
     }
     for (const RigidBody& body : bodies_) check_body(body);
     if (fluid_.size() == 0) throw InputError("a simulation needs fluid particles");
+    if (model_.periodic_x && (!bodies_.empty() || model_.sponge_thickness > 0))
+        throw InputError("a periodic domain can have neither bodies nor a sponge layer");
     const double h = kernel_.smoothing_length;
     for (std::size_t i = 0; i < phase_count; ++i) {
         for (std::size_t j = 0; j < phase_count; ++j) {
@@ -100,7 +102,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
 
 PassInput Simulation::inputs() const {
     PassInput in = coefficients_;
-    in.fluid = fluid_.state.data();
+    in.fluid = list_.listed(fluid_);
     in.wall = walls_.state.data();
     in.wall_mean = walls_.mean.data();
     in.clusters = &list_.clusters();
@@ -268,7 +270,11 @@ double Simulation::momentum_error() const {
     };
     for (std::size_t i = 0; i < fluid_.size(); ++i)
         count(fluid_.mass[i] * (Vec2(ax[i], ay[i]) - model_.gravity));
-    for (std::size_t n = 0; n < walls_.size(); ++n) count({fx[n], fy[n]});
+    for (std::size_t n = 0; n < walls_.size(); ++n) {
+        const double x = walls_.state[n].x;  // walls run on beyond the ends of a periodic domain
+        const bool inside = x >= domain_.low.x() && x < domain_.high.x();
+        if (inside || !model_.periodic_x) count({fx[n], fy[n]});
+    }
     return sizes > 0 ? sum.norm() / sizes : 0;
 }
 

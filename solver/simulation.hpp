@@ -128,8 +128,8 @@ class Simulation {
     WendlandC2 kernel_;
     int threads_;
     PairLoops loops_;
-    NeighbourList list_;
-    PassInput coefficients_;  ///< what stays the same over the run
+    mutable NeighbourList list_;  ///< periodic images are scratch of who reads the state
+    PassInput coefficients_;      ///< what stays the same over the run
     double time_ = 0;
     std::uint64_t steps_ = 0;
     std::uint64_t list_builds_ = 0;

@@ -44,6 +44,8 @@ struct Model {
     bool tension = true;          ///< false: density is kept at or above the reference (water without air)
     double full_cover = 0.9;      ///< of a support that lets the density of water rise, 0 for any
 
+    bool periodic_x = false;  ///< the domain's left and right end are one place; no bodies, no sponge
+
     double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
     double skin = 0.2;             ///< of the neighbour list, in smoothing lengths

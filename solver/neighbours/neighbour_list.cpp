@@ -46,7 +46,7 @@ void append_clusters(std::vector<Cluster>& clusters, std::size_t begin, std::siz
 }  // namespace
 
 NeighbourList::NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                             bool with_walls_own_lists)
+                             bool with_walls_own_lists, bool periodic_x)
     : origin_(domain.low - Vec2::Constant(support_radius + skin)),
       cell_width_(2 * particle_spacing),
       cell_height_(particle_spacing),
@@ -55,6 +55,8 @@ NeighbourList::NeighbourList(Box domain, double particle_spacing, double support
       reach_(support_radius + skin),
       skin_(skin),
       with_walls_own_lists_(with_walls_own_lists) {
+    // walls run on beyond the ends by a support, and see the fluid around themselves
+    if (periodic_x) images_.emplace(domain, 2 * reach_);
     const Vec2 size = domain.high + Vec2::Constant(support_radius + skin) - origin_;
     strips_ = static_cast<std::uint32_t>(std::ceil(size.x() / cell_width_)) + 1;
     rows_ = static_cast<std::uint32_t>(std::ceil(size.y() / cell_height_)) + 1;
@@ -101,7 +103,9 @@ void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::siz
 }
 
 void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads) {
+    if (images_) images_->wrap(fluid);
     sort_fluid(fluid);
+    if (images_) place_images(fluid);
     if (walls.size() > walls.fixed) sort_walls(walls, walls.fixed, walls.size(), body_start_);
     clusters_.clear();
     append_clusters(clusters_, 0, fluid.water, Phase::water);
@@ -134,6 +138,22 @@ void NeighbourList::sort_fluid(FluidParticles& fluid) {
     std::swap(sorted_.id, fluid.id);
 }
 
+/// Sorts the images like the fluid: by phase, then along the grid.
+void NeighbourList::place_images(const FluidParticles& fluid) {
+    images_->choose(fluid);
+    const std::size_t cells = std::size_t{strips_} * rows_;
+    key_.clear();
+    for (const PeriodicImages::Image& image : images_->images()) {
+        const FluidState& p = fluid.state[image.source];
+        const bool air = fluid.phase(image.source) == Phase::air;
+        key_.push_back(cell_index(cell_of(p.x + image.shift, p.y)) +
+                       static_cast<std::uint32_t>(air ? cells : 0));
+    }
+    counting_sort(key_, phase_count * cells, image_start_, order_);
+    images_->reorder(order_);
+    for (std::uint32_t& start : image_start_) start += static_cast<std::uint32_t>(fluid.size());
+}
+
 void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParticles& walls,
                                     const PairLoops& loops, int threads) {
     if (with_walls_own_lists_) {
@@ -146,6 +166,7 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
     const std::size_t blocks = (total + clusters_per_block - 1) / clusters_per_block;
     if (block_lists_.size() < blocks) block_lists_.resize(blocks);
     const std::size_t cells = std::size_t{strips_} * rows_;
+    const FluidState* listed_fluid = listed(fluid);
 
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (std::int64_t b = 0; b < static_cast<std::int64_t>(blocks); ++b) {
@@ -185,8 +206,9 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                 return static_cast<std::uint32_t>(used - before);
             };
             for (std::size_t phase = 0; phase < phase_count; ++phase) {
-                cluster.fluid_neighbours[phase] =
-                    fluid.size() == 0 ? 0 : search(&fluid.state[0].x, fluid_start_.data() + phase * cells);
+                std::uint32_t& count = cluster.fluid_neighbours[phase];
+                count = fluid.size() == 0 ? 0 : search(&listed_fluid->x, fluid_start_.data() + phase * cells);
+                if (images_) count += search(&listed_fluid->x, image_start_.data() + phase * cells);
             }
             cluster.wall_neighbours = 0;
             if (of_wall) continue;

@@ -9,10 +9,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "solver/core/particles.hpp"
 #include "solver/core/vec2.hpp"
+#include "solver/neighbours/periodic_images.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
 
 namespace wetdeck {
@@ -21,14 +23,15 @@ class NeighbourList {
   public:
     /// @param domain  where particles are expected [m]; those outside are still found, only more slowly
     /// @param with_walls_own_lists  also list the fluid around each boundary particle (Shepard pressure)
+    /// @param periodic_x  the left and the right end of the domain are one place
     NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                  bool with_walls_own_lists);
+                  bool with_walls_own_lists, bool periodic_x = false);
 
     /// Sorts the tank's boundary particles along the grid. Needed once, before the first build.
     void place_fixed(WallParticles& walls);
 
     /// Sorts the fluid and the particles of bodies along the grid (ids keep track) and lists all pairs within
-    /// support and skin.
+    /// support and skin. Where the domain is periodic, particles that have left it come in at the other end.
     void build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads);
 
     /// Half the skin: how far a particle may move from where it was at the last build [m].
@@ -36,6 +39,11 @@ class NeighbourList {
     /// Position of particle i at the last build.
     Vec2 built_at(std::size_t i) const { return {built_[2 * i], built_[2 * i + 1]}; }
     const double* built_positions() const { return built_.data(); }
+
+    /// What the indices of neighbours mean: the fluid, and behind it its periodic images as they now are.
+    const FluidState* listed(const FluidParticles& fluid) {
+        return images_ ? images_->appended_to(fluid) : fluid.state.data();
+    }
 
     const std::vector<Cluster>& clusters() const { return clusters_; }
     /// Clusters of boundary particles that have fluid near, with that fluid as neighbours; none holds
@@ -51,11 +59,13 @@ class NeighbourList {
     Cell cell_of(double x, double y) const;
     std::uint32_t cell_index(Cell cell) const { return cell.strip * rows_ + cell.row; }
     void sort_fluid(FluidParticles& fluid);
+    void place_images(const FluidParticles& fluid);
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
                     std::vector<std::uint32_t>& start);
     void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
                          int threads);
 
+    std::optional<PeriodicImages> images_;
     Vec2 origin_;
     double cell_width_, cell_height_;
     std::uint32_t strips_, rows_;
@@ -63,6 +73,7 @@ class NeighbourList {
     bool with_walls_own_lists_;
 
     std::vector<std::uint32_t> fluid_start_;  ///< first particle of (phase, cell), plus an end mark
+    std::vector<std::uint32_t> image_start_;  ///< the same of the periodic images
     std::vector<std::uint32_t> fixed_start_, body_start_;  ///< first boundary particle of a cell
     std::vector<Cluster> clusters_, wall_clusters_;
     std::vector<std::vector<std::uint32_t>> block_lists_;  ///< neighbour indices of a block of clusters

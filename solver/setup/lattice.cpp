@@ -47,7 +47,7 @@ void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_sp
     }
 }
 
-WallParticles tank_walls(Box tank, double particle_spacing, double support_radius) {
+WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, bool periodic_x) {
     const Vec2 size = tank.high - tank.low;
     const Axis along_x = fit(size.x(), particle_spacing), along_y = fit(size.y(), particle_spacing);
     const int layers = static_cast<int>(std::ceil(support_radius / particle_spacing));
@@ -60,11 +60,12 @@ WallParticles tank_walls(Box tank, double particle_spacing, double support_radiu
     };
     for (int column = -layers; column < along_x.count + layers; ++column) {
         for (int row = -layers; row < along_y.count + layers; ++row) {
-            const bool inside = column >= 0 && column < along_x.count && row >= 0 && row < along_y.count;
-            if (inside) continue;
+            const bool between_ends = (column >= 0 && column < along_x.count) || periodic_x;
+            if (between_ends && row >= 0 && row < along_y.count) continue;
             const Vec2 position(coordinate(column, along_x, tank.low.x()),
                                 coordinate(row, along_y, tank.low.y()));
-            const Vec2 nearest = position.cwiseMax(tank.low).cwiseMin(tank.high);
+            Vec2 nearest = position.cwiseMax(tank.low).cwiseMin(tank.high);
+            if (periodic_x) nearest.x() = position.x();
             walls.add(position, (nearest - position).normalized());
         }
     }

@@ -13,7 +13,8 @@ namespace wetdeck {
 void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_spacing, double density);
 
 /// Layers of dummy particles around the inside of `tank`, as many as the kernel's support needs, the first
-/// half a spacing behind the face. Corner particles have the normal towards the corner.
-WallParticles tank_walls(Box tank, double particle_spacing, double support_radius);
+/// half a spacing behind the face. Corner particles have the normal towards the corner. Where the tank is
+/// periodic along x, bed and lid alone, which run on beyond its ends by as many particles.
+WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, bool periodic_x = false);
 
 }  // namespace wetdeck

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
+#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
@@ -30,6 +32,20 @@ void print_problem(const VerificationProblem& problem) {
     std::fflush(stdout);
 }
 
+/// In place of an earlier result of the same problem, in the order of the list of problems.
+void keep(VerificationProblem result, std::vector<VerificationProblem>& results) {
+    std::erase_if(results, [&](const VerificationProblem& r) { return r.name == result.name; });
+    results.push_back(std::move(result));
+    const auto place = [](const VerificationProblem& r) {
+        const std::vector<verification::Problem>& all = verification::all_problems();
+        return std::find_if(all.begin(), all.end(),
+                            [&](const verification::Problem& p) { return p.name == r.name; }) -
+               all.begin();
+    };
+    std::stable_sort(results.begin(), results.end(),
+                     [&](const auto& a, const auto& b) { return place(a) < place(b); });
+}
+
 }  // namespace
 
 std::vector<VerificationProblem> run_verification(const VerifyOptions& options) {
@@ -40,18 +56,22 @@ std::vector<VerificationProblem> run_verification(const VerifyOptions& options) 
     make_directories(options.directory);
     const std::filesystem::path file = options.directory / verification_file;
     std::vector<VerificationProblem> results = read_verification(file);
-    for (const Problem& problem : chosen) {
-        VerificationProblem result = solve(problem, options.fast ? Effort::quick : Effort::full);
-        print_problem(result);
-        const auto before = std::find_if(results.begin(), results.end(),
-                                         [&](const VerificationProblem& r) { return r.name == result.name; });
-        if (before == results.end()) {
-            results.push_back(std::move(result));
-        } else {
-            *before = std::move(result);
+    std::mutex one_at_a_time;
+    std::exception_ptr trouble;  // none may leave a parallel loop
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::size_t n = 0; n < chosen.size(); ++n) {  // each problem takes one thread
+        try {
+            VerificationProblem result = solve(chosen[n], options.fast ? Effort::quick : Effort::full);
+            const std::lock_guard lock(one_at_a_time);
+            print_problem(result);
+            keep(std::move(result), results);
+            atomic_write(file, verification_json(results).dump(1) + "\n");
+        } catch (...) {
+            const std::lock_guard lock(one_at_a_time);
+            trouble = std::current_exception();
         }
-        atomic_write(file, verification_json(results).dump(1) + "\n");
     }
+    if (trouble) std::rethrow_exception(trouble);
     return results;
 }
 

@@ -110,7 +110,7 @@ void run(Findings& findings) {
                          transmission = 2 * z_out / (z_out + z_in);
             const double travelled = (end_share - start_share) * channel.duration();
             // areas under the pulses: spreading leaves them alone
-            double reflected = 0, transmitted = 0, moment = 0, peak = 0;
+            double reflected = 0, transmitted = 0, moment = 0, reflected_moment = 0, peak = 0;
             Curve curve;
             const FluidParticles& fluid = simulation.fluid();
             std::vector<std::pair<double, double>> row;
@@ -119,6 +119,7 @@ void run(Findings& findings) {
                 const double depth = channel.depth(p.x), share = p.pressure * p.volume / channel.height();
                 (depth > 0 ? reflected : transmitted) += share;
                 if (depth < 0) moment += share * -depth;
+                if (depth > 0) reflected_moment += share * depth;
                 if (depth > 0) peak = std::max(peak, std::abs(p.pressure));
                 if (std::abs(p.y - 0.5 * channel.height()) < 0.9 * dx && p.y > 0.5 * channel.height())
                     row.emplace_back(-depth, p.pressure / channel.scale());
@@ -132,6 +133,9 @@ void run(Findings& findings) {
             const double arrival =
                 (travelled - moment / transmitted / out.sound_speed) / (end_share * channel.duration());
             findings.record("arrival_" + c.name, resolution, std::abs(arrival));
+            const double back = (travelled - reflected_moment / reflected / in.sound_speed) /
+                                (end_share * channel.duration());
+            findings.record("return_" + c.name, resolution, std::abs(back));
             findings.record("peak_" + c.name, resolution,
                             std::abs(peak / (channel.scale() * std::abs(reflection)) - 1));
             std::sort(row.begin(), row.end());
@@ -186,6 +190,18 @@ Problem acoustic_pulse() {
         problem.claims.push_back({"arrival_" + c.name,
                                   "relative error of the transmitted pulse's time of arrival, " + c.words,
                                   resolution, wall_share, Window{0.6, 1.6}, why});
+        Claim back{"return_" + c.name, "relative error of the reflected pulse's time of return, " + c.words,
+                   resolution,         wall_share,
+                   Window{0.6, 1.6},   why};
+        if (c.from_heavy) {
+            back.bound = 0.5 * coarsest_spacing / end_share;
+            back.order = {};
+            back.reason =
+                "half a spacing of the interface's place: water moves along the walls and loses no "
+                "divergence there. No "
+                "order expected of so little";
+        }
+        problem.claims.push_back(back);
         problem.claims.push_back(
             {"reflection_" + c.name,
              "relative error of the reflected area, " + c.words,

@@ -9,18 +9,31 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 namespace wetdeck::verification {
 namespace {
 
-/// GSL ends the program on any error unless told otherwise; results are checked here instead.
-struct ErrorsReturned {
-    gsl_error_handler_t* before = gsl_set_error_handler_off();
-    ErrorsReturned() = default;
+/// GSL ends the program on any error unless told otherwise; results are checked here instead. The handler is
+/// one for all threads: it comes back when the last of them is done.
+class ErrorsReturned {
+  public:
+    ErrorsReturned() {
+        const std::lock_guard lock(mutex);
+        if (users++ == 0) before = gsl_set_error_handler_off();
+    }
+    ~ErrorsReturned() {
+        const std::lock_guard lock(mutex);
+        if (--users == 0) gsl_set_error_handler(before);
+    }
     ErrorsReturned(const ErrorsReturned&) = delete;
     ErrorsReturned& operator=(const ErrorsReturned&) = delete;
-    ~ErrorsReturned() { gsl_set_error_handler(before); }
+
+  private:
+    static inline std::mutex mutex;
+    static inline int users = 0;
+    static inline gsl_error_handler_t* before = nullptr;
 };
 
 double call(double x, void* function) {

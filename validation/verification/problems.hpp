@@ -15,6 +15,7 @@ Problem acoustic_pulse();
 Problem hydrostatic_tank();
 Problem gravity_wave();
 Problem taylor_green();
+Problem layered_flow();
 Problem oscillating_drop();
 Problem square_patch();
 Problem block_impact();
@@ -23,6 +24,7 @@ Problem ritter();
 Problem released_column();
 Problem free_flight();
 Problem floating_body();
+Problem heave_decay();
 
 const std::vector<Problem>& all_problems();
 

@@ -25,7 +25,8 @@ Model two_phase_model(double water_sound_speed, double air_sound_speed, double b
 Setup::Setup(const Model& model_, Box domain_, double particle_spacing_, bool with_walls)
     : model(model_), particle_spacing(particle_spacing_), domain(domain_) {
     if (with_walls)
-        walls = tank_walls(domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing);
+        walls = tank_walls(domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing,
+                           model.periodic_x);
 }
 
 void Setup::fill(Phase phase, Box box) {

@@ -22,7 +22,9 @@ const std::vector<Law>& laws() {
     static const std::vector<Law> list = {
         {"soft", "gamma = 1.4, softer than the equal-coefficient rule", 1.4, 170, 100, 0.5},
         {"real", "gamma = 1.4, sound speed of real air", 1.4, 340, 100, 0.5},
-        {"stiff", "gamma = 7", 7, 170, 100, 0.85}};
+        {"stiff", "gamma = 7", 7, 170, 100, 0.85},
+        // sqrt(1000 / 1 * 1.4 / 7) times the water's speed
+        {"equal", "gamma = 1.4, equal-coefficient rule", 1.4, 1414.2, 100, 0.85}};
     return list;
 }
 
@@ -157,10 +159,25 @@ Problem trapped_air_piston() {
         // pressure
         const double stiffness = law.exponent * 0.5 * 0.05 / law.closest *
                                  (1 + air_of(law).coefficient() / air_pressure(law, law.closest));
-        problem.claims.push_back({"peak_pressure_" + law.name,
-                                  "relative error of the largest mean pressure of the air, " + law.words,
-                                  resolution, stiffness, Window{0.5, 2.5},
-                                  "the air's length misplaced by half a spacing when shortest; first order"});
+        // what the slug itself gives way over what the air does, in the mean over its length: the exact
+        // solution has none of it
+        const double yield = air_density * law.air_sound_speed * law.air_sound_speed * slug_length /
+                             (3 * water_density * law.water_sound_speed * law.water_sound_speed * air_length);
+        Claim peak{"peak_pressure_" + law.name,
+                   "relative error of the largest mean pressure of the air, " + law.words,
+                   resolution,
+                   stiffness,
+                   Window{0.5, 2.5},
+                   "the air's length misplaced by half a spacing when shortest; first order"};
+        if (yield > 0.01) {
+            peak.bound += yield;
+            peak.order = {};
+            peak.reason =
+                "the air's length misplaced by half a spacing when shortest, and the compression of the "
+                "slug, 3 % of the "
+                "air's under this law, which stays: no order expected";
+        }
+        problem.claims.push_back(peak);
         problem.claims.push_back(
             {"peak_time_" + law.name,
              "relative error of the time of the largest pressure, " + law.words,
