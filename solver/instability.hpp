@@ -9,6 +9,10 @@
 
 namespace wetdeck {
 
+/// Speeds beyond this multiple of the sound speed end a run; the step, C h/(c + v), thus never falls below an
+/// eleventh of that at rest.
+inline constexpr double highest_mach_number = 10;
+
 /// Why a run cannot go on.
 struct Instability {
     double time = 0;  ///< [s]

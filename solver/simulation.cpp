@@ -4,21 +4,19 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
 #include "solver/core/errors.hpp"
 #include "solver/physics/sponge.hpp"
+#include "solver/time/stage_timer.hpp"
 
 namespace wetdeck {
 namespace {
 
 /// Densities outside this share of their reference end a run: the state is no fluid any more.
 constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 5;
-/// So do higher Mach numbers; the step, C h/(c + v), thus never falls below an eleventh of that at rest.
-constexpr double highest_mach_number = 10;
 
 bool needs_wall_means(const Model& model) {
     return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;
@@ -29,27 +27,6 @@ double checked_spacing(double particle_spacing) {
     if (!good) throw InputError("particle_spacing must be positive");
     return particle_spacing;
 }
-
-void check_body(const RigidBody& body) {
-    const bool translates = body.free[0] || body.free[1];
-    if (translates && !(body.mass > 0)) throw InputError("a body that is free to move needs a positive mass");
-    if (body.free[2] && !(body.inertia > 0))
-        throw InputError("a body that is free to turn needs a positive inertia");
-}
-
-class StageTimer {
-  public:
-    explicit StageTimer(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
-    ~StageTimer() {
-        total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-    StageTimer(const StageTimer&) = delete;
-    StageTimer& operator=(const StageTimer&) = delete;
-
-  private:
-    double& total_;
-    std::chrono::steady_clock::time_point start_;
-};
 
 }  // namespace
 
@@ -71,7 +48,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
         double& radius = body_radii_.at(point.body);
         radius = std::max(radius, std::hypot(point.x, point.y));
     }
-    for (const RigidBody& body : bodies_) check_body(body);
+    for (const RigidBody& body : bodies_) body.check();
     if (fluid_.size() == 0) throw InputError("a simulation needs fluid particles");
     if (model_.periodic_x && (!bodies_.empty() || model_.sponge_thickness > 0))
         throw InputError("a periodic domain can have neither bodies nor a sponge layer");
@@ -165,48 +142,6 @@ void Simulation::soak(std::initializer_list<std::vector<double>*> rates) {
         const double factor = sponge_factor(distance, model_.sponge_thickness);
         for (std::vector<double>* rate : rates) (*rate)[i] *= factor;
     }
-}
-
-/// Forces of the fluid on the bodies, Eqs. (20)-(21), and the accelerations that follow.
-void Simulation::load_bodies() {
-    if (bodies_.empty()) return;
-    const StageTimer timer(stages_.bodies);
-    loops_.body_forces(pass_input());
-    body_loads_.assign(bodies_.size(), {});
-    for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
-        const std::uint32_t body = walls_.body_point[n - walls_.fixed].body;
-        const Vec2 force(walls_.force_x[n], walls_.force_y[n]);
-        const Vec2 arm = Vec2(walls_.state[n].x, walls_.state[n].y) - bodies_[body].position;
-        body_loads_[body].force += force;
-        body_loads_[body].torque += arm.x() * force.y() - arm.y() * force.x();
-    }
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        bodies_[b].load(body_loads_[b].force, body_loads_[b].torque, model_.gravity);
-}
-
-/// Puts the boundary particles where the poses say, Eqs. (22)-(23). Returns whether the list is still
-/// complete.
-bool Simulation::place_bodies() {
-    body_axes_.clear();
-    for (const RigidBody& body : bodies_) body_axes_.push_back(body.axes());
-    for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
-        const BodyPoint& point = walls_.body_point[n - walls_.fixed];
-        const RigidBody& body = bodies_[point.body];
-        const Eigen::Matrix2d& axes = body_axes_[point.body];
-        const Vec2 arm = axes * Vec2(point.x, point.y), normal = axes * Vec2(point.nx, point.ny);
-        const Vec2 place = body.position + arm, velocity = body.velocity_at(arm);
-        const Vec2 acceleration = body.acceleration_at(arm);
-        walls_.state[n] = {place.x(),  place.y(),  velocity.x(),     velocity.y(),
-                           normal.x(), normal.y(), acceleration.x(), acceleration.y()};
-    }
-    bool complete = true;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const double turned = std::abs(std::sin(0.5 * (bodies_[b].angle - built_bodies_[b].angle)));
-        const double farthest =
-            (bodies_[b].position - built_bodies_[b].position).norm() + 2 * body_radii_[b] * turned;
-        complete = complete && farthest <= list_.allowance();
-    }
-    return complete;
 }
 
 void Simulation::update_density(double dt) {
@@ -375,22 +310,6 @@ std::optional<Instability> Simulation::last_kick(double dt) {
                   i < fluid_.water ? "water" : "air", bad.density, bad.velocity().norm(),
                   escaped ? "escaped from the tank" : "left the range of a fluid");
     return Instability{time_ + dt, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
-}
-
-/// A body that is nowhere is not noticed by the fluid: nothing is near it.
-std::optional<Instability> Simulation::body_trouble(double dt) const {
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const RigidBody& body = bodies_[b];
-        const double fastest = body.velocity.norm() + std::abs(body.angular_velocity) * body_radii_[b];
-        const bool in_tank =
-            (body.position - domain_.low).minCoeff() > 0 && (domain_.high - body.position).minCoeff() > 0;
-        if (in_tank && fastest < highest_mach_number * model_.water.eos.sound_speed) continue;
-        char text[160];
-        std::snprintf(text, sizeof text, "body %zu with speed %.4g m/s %s", b + 1, fastest,
-                      in_tank ? "left the range of a body" : "left the tank");
-        return Instability{time_ + dt, steps_ + 1, std::nullopt, body.position, text};
-    }
-    return std::nullopt;
 }
 
 double Simulation::bytes_per_particle() const {

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "solver/core/errors.hpp"
 #include "solver/core/vec2.hpp"
 
 namespace wetdeck {
@@ -35,6 +36,14 @@ struct RigidBody {
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
     double work = 0;              ///< of the fluid on the body since the start [J/m]
+
+    /// Throws InputError if it is free to move without mass or inertia.
+    void check() const {
+        const bool translates = free[0] || free[1];
+        if (translates && !(mass > 0)) throw InputError("a body that is free to move needs a positive mass");
+        if (free[2] && !(inertia > 0))
+            throw InputError("a body that is free to turn needs a positive inertia");
+    }
 
     /// Sets the loads by the fluid and the accelerations that follow from them.
     void load(Vec2 fluid_force, double fluid_torque, Vec2 gravity) {

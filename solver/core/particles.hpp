@@ -52,7 +52,7 @@ struct FluidParticles {
 struct alignas(64) WallState {
     double x = 0, y = 0;
     double vx = 0, vy = 0;  ///< velocity of the wall there [m/s]
-    double nx = 0, ny = 0;  ///< unit normal of the nearest face, into the fluid; zero at an edge
+    double nx = 0, ny = 0;  ///< unit normal of the nearest face, into the fluid
     double ax = 0, ay = 0;  ///< acceleration of the wall there [m/s^2]
 };
 

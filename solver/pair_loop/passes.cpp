@@ -45,7 +45,8 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
 }
 
 /// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump.
-/// Where it is mirrored it moves along its face with the water around it.
+/// Where it is mirrored it moves along its face with the water around it. What touches a wall is covered,
+/// however thin the water is.
 template <bool mirrored, bool covered>
 void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
                       std::uint32_t count, DensitySums& sums) {
@@ -58,20 +59,18 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         const Separation s = separation(i, w.x, w.y);
         const Pack weight = WendlandC2::cubed_reach(s.distance, inverse_h);
         if constexpr (covered) cover += WendlandC2::bell(s.distance, inverse_h);
-        if (w.nx == 0 && w.ny == 0) {  // an edge reverses the whole velocity
-            sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
-            continue;
-        }
         const Pack closing = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
         const Pack height = s.x * w.nx + s.y * w.ny;
         sum += weight * closing * height;
-        if constexpr (mirrored) {
-            const WallMean& mean = in.wall_mean[neighbours[n]];
-            const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
-            const Pack along = s.y * w.nx - s.x * w.ny;
-            stretching += select(height > 0.0, weight * slip * along, 0.0);
+        if constexpr (mirrored || covered) {
             // only what lies beneath the particle is near, not the side of an edge that it passes
+            const Pack along = s.y * w.nx - s.x * w.ny;
             nearest = select(height * height < along * along, nearest, minimum(nearest, height));
+            if constexpr (mirrored) {
+                const WallMean& mean = in.wall_mean[neighbours[n]];
+                const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
+                stretching += select(height > 0.0, weight * slip * along, 0.0);
+            }
         }
     }
     if constexpr (mirrored) {
@@ -79,7 +78,10 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         sum = sum - 0.5 * stretching_share(distance) * stretching;
     }
     sums.rate += in.wall_volume * sum;
-    if constexpr (covered) sums.cover += in.wall_volume * cover;
+    if constexpr (covered) {
+        const Pack face = nearest * (1 / in.particle_spacing) - 0.5;
+        sums.cover += select(face < touching_distance, Pack(touching_cover), in.wall_volume * cover);
+    }
 }
 
 template <bool harmonic, bool hydrostatic, bool mirrored, bool covered>

@@ -2,11 +2,12 @@
 // Bounds of the density of water,
 //     rho_lowest <= rho_i <= rho_0 max(1, C_i / full),   C_i = SUM_j V_j W_ij over fluid and walls.
 //
-// Above: the continuity equation counts a wall, or other water, as soon as it comes within the kernel's support, and
-// would compress a surface that nothing has touched yet. Bodies then act as if they were half a spacing larger, and the
-// pressure beside them is too high (wedge at dx = 0.01: 1.4 times what the force says; 1.0 with the bound). A particle
-// whose support is not full has nothing to press against. Full is less than one, so that disorder does not count as a
-// gap.
+// Above: the continuity equation counts a wall, or other water, as soon as it comes within the kernel's
+// support, and would compress a surface that nothing has touched yet. Bodies then act as if they were half a
+// spacing larger, and the pressure beside them is too high (wedge at dx = 0.01: 1.4 times what the force
+// says; 1.0 with the bound). A particle whose support is not full has nothing to press against. Full is less
+// than one, so that disorder does not count as a gap. What is closer to a face than particles come to rest
+// counts as covered: thin jets would pass through walls.
 //
 // Below: water without air bears no tension, and what flies apart must not remember it: rho_lowest = rho_0.
 #pragma once
@@ -14,6 +15,10 @@
 #include "solver/core/scalar_math.hpp"
 
 namespace wetdeck {
+
+/// Distance from a face below which water touches it [spacings], and the cover that it then has: any density
+/// that a run survives is below.
+inline constexpr double touching_distance = 0.25, touching_cover = 10;
 
 struct DensityBounds {
     double lowest = 0;              ///< [kg/m^3]

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/kernel/wendland_c2.hpp"
+#include "solver/physics/density_bounds.hpp"
 
 namespace wetdeck::samples {
 namespace {
@@ -155,6 +156,7 @@ WallMean shepard_mean(const WallState& wall, const FluidParticles& fluid, const 
 struct WallSums {
     double compression = 0;  ///< SUM V F (v - v_w) . e of the reversed velocity [1/s]
     Vec2 push = Vec2::Zero();
+    bool touching = false;  ///< the face is nearer than particles rest
 };
 
 WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticles& walls, const Rates& rates,
@@ -170,14 +172,12 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         if (offset.norm() >= kernel.support_radius()) continue;
         const Vec2 e = -offset.normalized(), n = normal(wall), t = tangent(wall);
         const double slope = particle_spacing * particle_spacing * kernel_slope(kernel, offset.norm());
-        const bool edge = n.norm() == 0;
-        sums.compression += slope * (edge ? velocity.dot(e) : velocity.dot(n) * n.dot(e));
+        sums.compression += slope * velocity.dot(n) * n.dot(e);
         const bool in_front = offset.dot(n) > 0;
         if (in_front) {
             stretching += slope * (p.velocity() - Vec2(rates.wall[w].vx, rates.wall[w].vy)).dot(t) * t.dot(e);
         }
-        if (!edge && std::abs(offset.dot(n)) >= std::abs(offset.dot(t)))
-            nearest = std::min(nearest, offset.dot(n));
+        if (std::abs(offset.dot(n)) >= std::abs(offset.dot(t))) nearest = std::min(nearest, offset.dot(n));
 
         const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
                                                     wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
@@ -193,6 +193,7 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         }
         sums.push -= slope * p_star * e;
     }
+    sums.touching = nearest / particle_spacing - 0.5 < touching_distance;
     if (model.wall_velocity == WallVelocity::mirrored && fluid.phase(i) == Phase::water) {
         sums.compression += 0.5 * stretching_share(nearest / particle_spacing - 0.5) * stretching;
     }
@@ -216,11 +217,12 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
             sums.push -= slope * pair.p_star(kernel.smoothing_length) * pair.e();
         }
         const Vec2 here = fluid.state[i].position();
-        double cover = 0;
+        double cover = sums.touching ? touching_cover : 0;
         for (const FluidState& p : fluid.state)
             cover += p.volume * kernel.value((here - p.position()).norm());
         for (const WallState& w : walls.state)
-            cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
+            if (!sums.touching)
+                cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
         rates.cover.push_back(cover);
         const double density = fluid.state[i].density;
         rates.density.push_back(2 * density * sums.compression);

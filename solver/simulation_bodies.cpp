@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The bodies' part of the time loop: loads, poses, what can go wrong.
+#include <cmath>
+#include <cstdio>
+
+#include "solver/simulation.hpp"
+#include "solver/time/stage_timer.hpp"
+
+namespace wetdeck {
+
+/// Forces of the fluid on the bodies, Eqs. (20)-(21), and the accelerations that follow.
+void Simulation::load_bodies() {
+    if (bodies_.empty()) return;
+    const StageTimer timer(stages_.bodies);
+    loops_.body_forces(pass_input());
+    body_loads_.assign(bodies_.size(), {});
+    for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
+        const std::uint32_t body = walls_.body_point[n - walls_.fixed].body;
+        const Vec2 force(walls_.force_x[n], walls_.force_y[n]);
+        const Vec2 arm = Vec2(walls_.state[n].x, walls_.state[n].y) - bodies_[body].position;
+        body_loads_[body].force += force;
+        body_loads_[body].torque += arm.x() * force.y() - arm.y() * force.x();
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        bodies_[b].load(body_loads_[b].force, body_loads_[b].torque, model_.gravity);
+}
+
+/// Puts the boundary particles where the poses say, Eqs. (22)-(23). Returns whether the list is still
+/// complete.
+bool Simulation::place_bodies() {
+    body_axes_.clear();
+    for (const RigidBody& body : bodies_) body_axes_.push_back(body.axes());
+    for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
+        const BodyPoint& point = walls_.body_point[n - walls_.fixed];
+        const RigidBody& body = bodies_[point.body];
+        const Eigen::Matrix2d& axes = body_axes_[point.body];
+        const Vec2 arm = axes * Vec2(point.x, point.y), normal = axes * Vec2(point.nx, point.ny);
+        const Vec2 place = body.position + arm, velocity = body.velocity_at(arm);
+        const Vec2 acceleration = body.acceleration_at(arm);
+        walls_.state[n] = {place.x(),  place.y(),  velocity.x(),     velocity.y(),
+                           normal.x(), normal.y(), acceleration.x(), acceleration.y()};
+    }
+    bool complete = true;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const double turned = std::abs(std::sin(0.5 * (bodies_[b].angle - built_bodies_[b].angle)));
+        const double farthest =
+            (bodies_[b].position - built_bodies_[b].position).norm() + 2 * body_radii_[b] * turned;
+        complete = complete && farthest <= list_.allowance();
+    }
+    return complete;
+}
+
+/// A body that is nowhere is not noticed by the fluid: nothing is near it.
+std::optional<Instability> Simulation::body_trouble(double dt) const {
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const RigidBody& body = bodies_[b];
+        const double fastest = body.velocity.norm() + std::abs(body.angular_velocity) * body_radii_[b];
+        const bool in_tank =
+            (body.position - domain_.low).minCoeff() > 0 && (domain_.high - body.position).minCoeff() > 0;
+        if (in_tank && fastest < highest_mach_number * model_.water.eos.sound_speed) continue;
+        char text[160];
+        std::snprintf(text, sizeof text, "body %zu with speed %.4g m/s %s", b + 1, fastest,
+                      in_tank ? "left the range of a body" : "left the tank");
+        return Instability{time_ + dt, steps_ + 1, std::nullopt, body.position, text};
+    }
+    return std::nullopt;
+}
+
+}  // namespace wetdeck
