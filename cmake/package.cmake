@@ -20,7 +20,7 @@ function(wetdeck_install_libraries)
   endforeach()
   # Not those that only the library's own sources include, nor those that come with the program.
   install(DIRECTORY solver validation DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wetdeck COMPONENT development
-          FILES_MATCHING PATTERN "*.hpp" PATTERN program EXCLUDE PATTERN scenes EXCLUDE
+          FILES_MATCHING PATTERN "*.hpp" PATTERN program EXCLUDE PATTERN scenes EXCLUDE PATTERN paraview EXCLUDE
           PATTERN pack.hpp EXCLUDE PATTERN instruction_sets.hpp EXCLUDE PATTERN sections.hpp EXCLUDE)
   install(FILES reports/report.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wetdeck/reports COMPONENT development)
   configure_package_config_file(cmake/wetdeck-config.cmake.in ${PROJECT_BINARY_DIR}/wetdeck-config.cmake

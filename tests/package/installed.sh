@@ -26,9 +26,9 @@ build() { # SOURCE NAME
 build "$WETDECK_SOURCE/examples/section_drop" section_drop
 said=$("$folder/section_drop/section_drop")
 echo "$said"
-# As the wedge's own claim: 14.02 +- 1.12 of the force, 8 %; the impulse also carries the first hits of a flat keel,
-# two particles wide.
-awk '{ ratio = $NF; exit !(ratio > 0.85 && ratio < 1.15) }' <<<"$said" || fail "the impulse is not that of the similarity solution"
+# The impulse grows as the square of the time since contact, which is known to half a spacing of the 64 mm that the keel
+# has gone: 16 %.
+awk '{ ratio = $NF; exit !(ratio > 0.84 && ratio < 1.16) }' <<<"$said" || fail "the impulse is not that of the similarity solution"
 
 build "$WETDECK_SOURCE/tests/package/harness" harness
 said=$(WETDECK_DATA=$prefix/share/wetdeck "$folder/harness/harness" dam_break "$folder/run")
