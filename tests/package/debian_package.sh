@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # The Debian package of the program: what it depends on and what it holds.
 set -euo pipefail
-command -v dpkg-shlibdeps >/dev/null && command -v cpack >/dev/null || { echo "not tested: needs dpkg-dev and cpack"; exit 77; }
+for program in dpkg-shlibdeps cpack; do
+    command -v $program >/dev/null || { echo "not tested: needs $program (dpkg-dev, cmake)"; exit 77; }
+done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cpack --config "$WETDECK_BUILD/CPackConfig.cmake" -G DEB -B "$folder" -D CPACK_COMPONENTS_ALL=program >"$folder/log" 2>&1 ||
