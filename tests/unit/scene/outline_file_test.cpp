@@ -89,8 +89,9 @@ TEST_CASE("a scene takes the outline of a body from a file, and needs the file n
     const auto before = named.begin() + static_cast<std::ptrdiff_t>(named.find("outline = "));
     const std::string line = std::to_string(1 + std::count(named.begin(), before, '\n'));
     CHECK(parse_scene(scene.text, scene.path).bodies[0].outline == expected.bodies[0].outline);
-    CHECK_THROWS_WITH(read_scene(folder / "named.toml"), Contains("named.toml:" + line + ": key 'body.outline': ") &&
-                                                             EndsWith("a.csv: no such file of corners"));
+    CHECK_THROWS_WITH(read_scene(folder / "named.toml"),
+                      Contains("named.toml:" + line + ": key 'body.outline': ") &&
+                          EndsWith("a.csv: no such file of corners"));
 }
 
 TEST_CASE("an outline is found behind letters of several bytes, and in a variant") {
