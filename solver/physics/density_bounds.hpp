@@ -2,11 +2,11 @@
 // Bounds of the density of water,
 //     rho_lowest <= rho_i <= rho_0 max(1, C_i / full),   C_i = SUM_j V_j W_ij over fluid and walls.
 //
-// Above: the continuity equation counts a wall, or other water, as soon as it comes within the kernel's support, and
-// would compress a surface that nothing has touched yet. Bodies then act as if they were half a spacing larger, and the
-// pressure beside them is too high (wedge at dx = 0.01: 1.4 times what the force says; 1.0 with the bound). A particle
-// whose support is not full has nothing to press against. Full is less than one, so that disorder does not count as a
-// gap.
+// Above: the continuity equation counts a wall, or other water, as soon as it comes within the kernel's
+// support, and would compress a surface that nothing has touched yet. Bodies then act as if they were half a
+// spacing larger, and the pressure beside them is too high (wedge at dx = 0.01: 1.4 times what the force
+// says; 1.0 with the bound). A particle whose support is not full has nothing to press against. Full is less
+// than one, so that disorder does not count as a gap.
 //
 // Below: water without air bears no tension, and what flies apart must not remember it: rho_lowest = rho_0.
 #pragma once
@@ -15,10 +15,11 @@
 
 namespace wetdeck {
 
+/// The bounds of one pass over the water.
 struct DensityBounds {
     double lowest = 0;              ///< [kg/m^3]
     const double* cover = nullptr;  ///< C of each particle; none for no upper bound
-    double full_cover = 1;
+    double full_cover = 1;          ///< C of a full support
 
     /// `density` within the bounds; `particle_cover` counts only where there is an upper bound.
     template <class Real>
