@@ -15,11 +15,11 @@ inline constexpr double highest_mach_number = 10;
 
 /// Why a run cannot go on.
 struct Instability {
-    double time = 0;  ///< [s]
-    std::uint64_t step = 0;
+    double time = 0;                        ///< [s]
+    std::uint64_t step = 0;                 ///< steps done by then
     std::optional<std::uint32_t> particle;  ///< id; none where a body is in trouble
-    Vec2 position = Vec2::Zero();
-    std::string quantity;  ///< what left its range, with value and range
+    Vec2 position = Vec2::Zero();           ///< of the particle or of the body [m]
+    std::string quantity;                   ///< what left its range, with value and range
 
     /// One sentence for a person.
     std::string describe() const;

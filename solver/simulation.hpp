@@ -25,16 +25,29 @@
 
 namespace wetdeck {
 
+/// Where the time of a run went.
 struct StageTimes {
-    double neighbours = 0, density = 0, momentum = 0, walls = 0, bodies = 0, integration = 0,
-           probes = 0;  ///< wall seconds
+    double neighbours = 0;   ///< lists built [wall seconds], as all here
+    double density = 0;      ///< pass over the pairs for the density rates
+    double momentum = 0;     ///< pass over the pairs for the accelerations
+    double walls = 0;        ///< means at the walls
+    double bodies = 0;       ///< loads on bodies, places of their particles
+    double integration = 0;  ///< kicks and drifts
+    double probes = 0;       ///< observer and watch
 };
 
+/// Fluid, walls and bodies under one model, and their march in time. The same arguments give the same bits on
+/// any number of threads.
 class Simulation {
   public:
+    /// @param model   fluids and scheme; its threads are those that the loops use
+    /// @param fluid   at rest or moving, with densities and masses set (set_initial_pressure)
     /// @param walls   of the tank, then of the bodies, whose particles are placed by the bodies' poses
     /// @param domain  interior of the tank [m]; particles that leave it by more than a support radius stop
     /// the run
+    /// @param particle_spacing  of the lattice that the fluid was laid on [m]
+    /// @param bodies  in the order of the numbers that their boundary particles carry
+    ///
     /// Throws InputError where the model contradicts itself or a body that is free to move has no mass.
     Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
                Box domain, std::vector<RigidBody> bodies = {});
@@ -51,24 +64,27 @@ class Simulation {
     /// One step of the given size at most. Returns what went wrong, if anything.
     std::optional<Instability> step(double longest);
 
-    const Model& model() const { return model_; }
-    const FluidParticles& fluid() const { return fluid_; }
-    const WallParticles& walls() const { return walls_; }
-    const std::vector<RigidBody>& bodies() const { return bodies_; }
-    Box domain() const { return domain_; }
-    double particle_spacing() const { return particle_spacing_; }
-    WendlandC2 kernel() const { return kernel_; }
-    double time() const { return time_; }
-    std::uint64_t steps() const { return steps_; }
-    TimeStep time_step() const { return time_step_; }
-    const StageTimes& stage_times() const { return stages_; }
+    const Model& model() const { return model_; }                     ///< as given
+    const FluidParticles& fluid() const { return fluid_; }            ///< sorted: `id` tells who is who
+    const WallParticles& walls() const { return walls_; }             ///< of the tank, then of bodies
+    const std::vector<RigidBody>& bodies() const { return bodies_; }  ///< in the order given
+    Box domain() const { return domain_; }                            ///< interior of the tank [m]
+    double particle_spacing() const { return particle_spacing_; }     ///< [m]
+    WendlandC2 kernel() const { return kernel_; }                     ///< with its smoothing length
+    double time() const { return time_; }                             ///< since the start [s]
+    std::uint64_t steps() const { return steps_; }                    ///< done so far
+    TimeStep time_step() const { return time_step_; }                 ///< stable at the present state
+    const StageTimes& stage_times() const { return stages_; }         ///< so far
+
+    /// Steps whose size each criterion set, in the order of LimitingCriterion.
     const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const {
         return limits_;
     }
-    std::uint64_t list_builds() const { return list_builds_; }
-    const NeighbourList& neighbours() const { return list_; }
-    const char* instruction_set() const { return loops_.instruction_set; }
-    int threads() const { return threads_; }
+    std::uint64_t list_builds() const { return list_builds_; }              ///< so far
+    const NeighbourList& neighbours() const { return list_; }               ///< as last built
+    const char* instruction_set() const { return loops_.instruction_set; }  ///< "sse2", "avx2" or "avx512"
+    int threads() const { return threads_; }                                ///< of the loops
+
     /// Memory of particles and lists over the number of fluid particles.
     double bytes_per_particle() const;
 
@@ -86,9 +102,10 @@ class Simulation {
 
     /// Everything that decides the bits of what follows, with counters and timers.
     struct State {
-        std::map<std::string, std::vector<double>> arrays;
-        std::map<std::string, double> numbers;
+        std::map<std::string, std::vector<double>> arrays;  ///< of particles and bodies, by name
+        std::map<std::string, double> numbers;              ///< by name
     };
+    /// For a checkpoint.
     State state() const;
     /// Takes up where a simulation of the same set-up stood: the steps to come have the same bits. Throws
     /// DataError for the state of another set-up.

@@ -16,6 +16,7 @@
 
 namespace wetdeck {
 
+/// One body: what it is, how it moves, what the fluid does to it.
 struct RigidBody {
     double mass = 0;                                ///< [kg/m]
     double inertia = 0;                             ///< about the mass centre [kg m]
@@ -28,10 +29,10 @@ struct RigidBody {
     Vec2 velocity = Vec2::Zero();  ///< of the mass centre [m/s]
     double angular_velocity = 0;   ///< [rad/s]
 
-    Vec2 force = Vec2::Zero();  ///< by the fluid, of the last evaluation [N/m]
-    double torque = 0;          ///< by the fluid, about the mass centre [N]
-    Vec2 acceleration = Vec2::Zero();
-    double angular_acceleration = 0;  ///< [rad/s^2]
+    Vec2 force = Vec2::Zero();         ///< by the fluid, of the last evaluation [N/m]
+    double torque = 0;                 ///< by the fluid, about the mass centre [N]
+    Vec2 acceleration = Vec2::Zero();  ///< of the mass centre [m/s^2]
+    double angular_acceleration = 0;   ///< [rad/s^2]
 
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
@@ -56,6 +57,7 @@ struct RigidBody {
         angular_acceleration = free[2] ? (torque + applied_torque) / inertia : 0;
     }
 
+    /// Velocities and impulses over a time [s] with the loads as they are.
     void kick(double duration) {
         const Vec2 mean_velocity = velocity + 0.5 * duration * acceleration;
         const double mean_rotation = angular_velocity + 0.5 * duration * angular_acceleration;
@@ -66,6 +68,7 @@ struct RigidBody {
         angular_impulse += duration * torque;
     }
 
+    /// Position and angle over a time [s] with the velocities as they are.
     void drift(double duration) {
         position += duration * velocity;
         angle += duration * angular_velocity;

@@ -12,33 +12,36 @@
 
 namespace wetdeck {
 
+/// One fluid.
 struct Material {
-    TaitEquationOfState eos;
-    double viscosity = 0;  ///< dynamic [Pa s]
+    TaitEquationOfState eos;  ///< pressure from density
+    double viscosity = 0;     ///< dynamic [Pa s]
 
+    /// rho0 c [kg/(m^2 s)]
     double impedance() const { return eos.reference_density * eos.sound_speed; }
 };
 
+/// Fluids, forces and scheme. The defaults are the scheme that solver/README.md explains.
 struct Model {
-    Material water;
-    Material air;
+    Material water;                ///< phase 0
+    Material air;                  ///< phase 1; unused where there is none
     Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
     double central_frequency = 0;  ///< of a pull towards the origin, -frequency^2 r [1/s]; fluid only
 
-    Mean velocity_mean = Mean::impedance_weighted;
-    Mean pressure_mean = Mean::impedance_weighted;
+    Mean velocity_mean = Mean::impedance_weighted;  ///< of the two particles in u*
+    Mean pressure_mean = Mean::impedance_weighted;  ///< of the two particles in P*
     double pressure_diffusion = 1;       ///< factor on the pressure jump in u*, 1 is the Riemann value
     bool hydrostatic_correction = true;  ///< the jump counts only beyond the hydrostatic one
-    Dissipation dissipation = Dissipation::low_dissipation;
+    Dissipation dissipation = Dissipation::low_dissipation;  ///< of approaching pairs
     double dissipation_slope = 10;  ///< of the limiter min(slope du / c, 1), water with water
     double dissipation_floor =
         0;  ///< least share of the full Riemann dissipation, both signs, water with water
-    double air_dissipation = 0.03;  ///< share of the full Riemann dissipation in pairs with air
-    Viscosity viscosity = Viscosity::none;
-    bool dissipation_switch = false;  ///< Yang et al. (2020), Eqs. (14)-(15)
-    WallSlip wall_slip = WallSlip::free;
-    WallPressure wall_pressure = WallPressure::shepard_water;
-    WallVelocity wall_velocity = WallVelocity::mirrored;
+    double air_dissipation = 0.03;          ///< share of the full Riemann dissipation in pairs with air
+    Viscosity viscosity = Viscosity::none;  ///< form of the viscous force
+    bool dissipation_switch = false;        ///< Yang et al. (2020), Eqs. (14)-(15)
+    WallSlip wall_slip = WallSlip::free;    ///< whether walls drag the fluid along
+    WallPressure wall_pressure = WallPressure::shepard_water;  ///< pressure of a dummy particle
+    WallVelocity wall_velocity = WallVelocity::mirrored;       ///< velocity of a dummy particle
     double wall_dissipation = 3;  ///< limiter slope of the wall-normal dissipation, 0 for none
     double sponge_thickness = 0;  ///< of the layer along the tank's walls [m], 0 for none
     bool tension = true;          ///< false: density is kept at or above the reference (water without air)

@@ -20,28 +20,35 @@ inline constexpr std::size_t phase_count = 2;
 
 /// What a neighbour must know of a fluid particle: one cache line.
 struct alignas(64) FluidState {
-    double x = 0, y = 0;    ///< position [m]
-    double vx = 0, vy = 0;  ///< velocity [m/s]
-    double pressure = 0;    ///< [Pa], includes the background pressure
-    double volume = 0;      ///< mass / density [m^2]
-    double density = 0;     ///< [kg/m^3]
-    double impact = 0;      ///< 1 where the dissipation switch is on, else 0
+    double x = 0;         ///< position [m]
+    double y = 0;         ///< its y [m]
+    double vx = 0;        ///< velocity [m/s]
+    double vy = 0;        ///< its y [m/s]
+    double pressure = 0;  ///< [Pa], includes the background pressure
+    double volume = 0;    ///< mass / density [m^2]
+    double density = 0;   ///< [kg/m^3]
+    double impact = 0;    ///< 1 where the dissipation switch is on, else 0
 
+    /// Position [m].
     Vec2 position() const { return {x, y}; }
+    /// Velocity [m/s].
     Vec2 velocity() const { return {vx, vy}; }
 };
 
 /// Fluid particles: indices [0, water) are water, [water, size) air.
 struct FluidParticles {
-    std::vector<FluidState> state;
-    std::vector<double> mass;          ///< [kg/m]
-    std::vector<double> density_rate;  ///< [kg/(m^3 s)]
-    std::vector<double> cover;         ///< SUM_j V_j W_ij, where densities are bounded by it
-    std::vector<double> acceleration_x, acceleration_y;  ///< [m/s^2], gravity included
-    std::vector<std::uint32_t> id;                       ///< stable under sorting
-    std::size_t water = 0;                               ///< number of water particles
+    std::vector<FluidState> state;       ///< what neighbours read
+    std::vector<double> mass;            ///< [kg/m]
+    std::vector<double> density_rate;    ///< [kg/(m^3 s)]
+    std::vector<double> cover;           ///< SUM_j V_j W_ij, where densities are bounded by it
+    std::vector<double> acceleration_x;  ///< [m/s^2], gravity included
+    std::vector<double> acceleration_y;  ///< [m/s^2], gravity included
+    std::vector<std::uint32_t> id;       ///< stable under sorting
+    std::size_t water = 0;               ///< number of water particles
 
+    /// Number of particles of both phases.
     std::size_t size() const { return state.size(); }
+    /// Of particle i.
     Phase phase(std::size_t i) const { return i < water ? Phase::water : Phase::air; }
 
     /// Appends one particle at rest; all water must be added before the first air particle.
@@ -50,35 +57,44 @@ struct FluidParticles {
 
 /// What a fluid particle must know of a boundary particle.
 struct alignas(64) WallState {
-    double x = 0, y = 0;
-    double vx = 0, vy = 0;  ///< velocity of the wall there [m/s]
-    double nx = 0, ny = 0;  ///< unit normal of the nearest face, into the fluid
-    double ax = 0, ay = 0;  ///< acceleration of the wall there [m/s^2]
+    double x = 0;   ///< position [m]
+    double y = 0;   ///< its y [m]
+    double vx = 0;  ///< velocity of the wall there [m/s]
+    double vy = 0;  ///< its y [m/s]
+    double nx = 0;  ///< unit normal of the nearest face, into the fluid
+    double ny = 0;  ///< its other component
+    double ax = 0;  ///< acceleration of the wall there [m/s^2]
+    double ay = 0;  ///< its y [m/s^2]
 };
 
 /// Shepard means of the fluid around a boundary particle.
 struct WallMean {
-    double pressure = 0;    ///< [Pa], carried to the particle's own place
-    double vx = 0, vy = 0;  ///< [m/s]
+    double pressure = 0;  ///< [Pa], carried to the particle's own place
+    double vx = 0;        ///< velocity [m/s]
+    double vy = 0;        ///< its y [m/s]
 };
 
 /// Place and normal of a boundary particle in the frame of its body.
 struct BodyPoint {
-    double x = 0, y = 0;
-    double nx = 0, ny = 0;
+    double x = 0;            ///< place [m]
+    double y = 0;            ///< its y [m]
+    double nx = 0;           ///< unit normal, into the fluid
+    double ny = 0;           ///< its other component
     std::uint32_t body = 0;  ///< number of the body
 };
 
 /// Dummy particles: indices [0, fixed) are the tank's walls, [fixed, size) belong to bodies. All have the
 /// volume particle_spacing^2.
 struct WallParticles {
-    std::vector<WallState> state;
-    std::vector<WallMean> mean;            ///< where the model uses it
-    std::vector<double> force_x, force_y;  ///< of the fluid on each; bodies only [N/m]
-    std::vector<BodyPoint> body_point;     ///< of [fixed, size)
-    std::vector<std::uint32_t> id;
-    std::size_t fixed = 0;
+    std::vector<WallState> state;       ///< what the fluid reads
+    std::vector<WallMean> mean;         ///< where the model uses it
+    std::vector<double> force_x;        ///< of the fluid on each; bodies only [N/m]
+    std::vector<double> force_y;        ///< of the fluid on each; bodies only [N/m]
+    std::vector<BodyPoint> body_point;  ///< of [fixed, size)
+    std::vector<std::uint32_t> id;      ///< stable under sorting
+    std::size_t fixed = 0;              ///< number of particles of the tank's walls
 
+    /// Number of all boundary particles.
     std::size_t size() const { return state.size(); }
     /// Appends a particle of a tank wall; all of them must be added before the first of a body.
     void add(Vec2 position, Vec2 normal);

@@ -10,9 +10,11 @@
 
 namespace wetdeck {
 
+/// The kernel for one smoothing length.
 struct WendlandC2 {
     double smoothing_length = 1;  ///< h [m]
 
+    /// Beyond it the kernel is zero [m].
     double support_radius() const { return 2 * smoothing_length; }
 
     /// alpha = 7 / (64 pi h^2) [1/m^2]

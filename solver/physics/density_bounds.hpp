@@ -20,10 +20,11 @@ namespace wetdeck {
 /// that a run survives is below.
 inline constexpr double touching_distance = 0.25, touching_cover = 10;
 
+/// The bounds of one pass over the water.
 struct DensityBounds {
     double lowest = 0;              ///< [kg/m^3]
     const double* cover = nullptr;  ///< C of each particle; none for no upper bound
-    double full_cover = 1;
+    double full_cover = 1;          ///< C of a full support
 
     /// `density` within the bounds; `particle_cover` counts only where there is an upper bound.
     template <class Real>

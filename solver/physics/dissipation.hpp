@@ -15,10 +15,11 @@ namespace wetdeck {
 
 enum class Dissipation { none, riemann, low_dissipation };
 
+/// Coefficients of D for one pair of phases.
 struct DissipationLimiter {
     double half_impedance = 0;    ///< Z/2 [kg/(m^2 s)]
     double slope_over_speed = 0;  ///< slope / c [s/m]
-    double floor = 0;
+    double floor = 0;             ///< least beta, for both signs of du
 };
 
 /// D [Pa]

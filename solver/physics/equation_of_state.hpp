@@ -8,6 +8,7 @@
 
 namespace wetdeck {
 
+/// Pressure from density and back.
 struct TaitEquationOfState {
     double reference_density = 1000;  ///< [kg/m^3]
     double sound_speed = 0;           ///< at the reference density [m/s]
@@ -17,10 +18,12 @@ struct TaitEquationOfState {
     /// rho0 c^2 / gamma [Pa]
     double coefficient() const { return reference_density * sound_speed * sound_speed / exponent; }
 
+    /// [Pa] from [kg/m^3]
     double pressure(double density) const {
         return coefficient() * (std::pow(density / reference_density, exponent) - 1) + background_pressure;
     }
 
+    /// [kg/m^3] from [Pa]
     double density(double pressure) const {
         return reference_density *
                std::pow((pressure - background_pressure) / coefficient() + 1, 1 / exponent);

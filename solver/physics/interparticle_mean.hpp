@@ -14,8 +14,8 @@ enum class Mean { arithmetic, density_weighted, impedance_weighted, harmonic };
 
 /// Weights of the left and right value; they add up to 1.
 struct MeanWeights {
-    double left = 0.5;
-    double right = 0.5;
+    double left = 0.5;   ///< of particle i
+    double right = 0.5;  ///< of its neighbour j
 };
 
 /// Weights proportional to what each side carries: density or impedance, or nothing (arithmetic).

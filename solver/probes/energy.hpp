@@ -7,6 +7,7 @@
 
 namespace wetdeck {
 
+/// Sums over all fluid at one time.
 struct Balance {
     double kinetic = 0;              ///< [J/m]
     double potential = 0;            ///< [J/m], zero at the origin
@@ -17,6 +18,7 @@ struct Balance {
     std::size_t outside = 0;         ///< particles beyond the tank's faces by more than a quarter spacing
 };
 
+/// At the present time of the simulation.
 Balance balance(const Simulation& simulation);
 
 }  // namespace wetdeck

@@ -19,6 +19,7 @@ namespace wetdeck {
 /// Gauge pressures [Pa] at points on faces of walls or bodies: the background pressure is taken off.
 std::vector<double> face_pressures(const Simulation& simulation, std::span<const Vec2> points);
 
+/// A disc on a straight face.
 class PressureGauge {
   public:
     /// @param centre    of the disc, on the face [m]

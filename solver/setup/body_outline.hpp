@@ -26,20 +26,29 @@ double distance_to(const Outline& outline, Vec2 point);
 /// may count either way.
 bool contains(const Outline& outline, Vec2 point);
 
+/// Whether two outlines share any point.
 bool overlap(const Outline& a, const Outline& b);
+/// Whether the outline lies in the box without touching its sides.
 bool inside(const Outline& outline, Box box);
 
 /// Area [m^2] and centroid of the polygon, and its second moment of area about the centroid [m^4].
 struct AreaMoments {
-    double area = 0;
-    Vec2 centroid = Vec2::Zero();
-    double second_moment = 0;
+    double area = 0;               ///< [m^2]
+    Vec2 centroid = Vec2::Zero();  ///< in the coordinates of the outline [m]
+    double second_moment = 0;      ///< about the centroid [m^4]
 };
+/// Of the area inside the outline.
 AreaMoments area_moments(const Outline& outline);
 
 /// Appends the layers of body number `body` to `walls`, as deep as the kernel's support or as the body is
 /// thick.
-/// @param frame_origin  mass centre, in the coordinates of the outline
+/// @param walls             the tank's walls and the bodies before
+/// @param body              number of the body, from 0
+/// @param outline           as placed at the start [m]
+/// @param frame_origin      mass centre, in the coordinates of the outline
+/// @param particle_spacing  [m]
+/// @param support_radius    of the kernel [m]
+///
 /// Throws InputError where the body is thinner than the support: fluid would act through it.
 void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
                         double particle_spacing, double support_radius);

@@ -19,6 +19,8 @@ double greco_pressure(double density, double gravity, double height, double dist
 /// follows: compressed fluid on an even lattice is heavier. With equal masses the lattice would be too wide
 /// for its density, and settle: a still column then reads 1.3 % too high at depth by T = 8 instead of 0.5 %
 /// (dx = 0.04).
+/// @param fluid  volumes set
+/// @param model  for its equations of state
 /// @param gauge  gauge pressure at a position [Pa]
 template <class GaugePressure>
 void set_initial_pressure(FluidParticles& fluid, const Model& model, GaugePressure gauge) {

@@ -11,15 +11,22 @@
 
 namespace wetdeck {
 
+/// The bounds on the step, in the order of their names.
 enum class LimitingCriterion { acoustic_water, acoustic_air, viscous, force };
+/// As a run stores them.
 inline constexpr std::array limiting_criterion_names = {"acoustic_water", "acoustic_air", "viscous", "force"};
 
+/// A step and what set its size.
 struct TimeStep {
-    double size = 0;  ///< [s]
-    LimitingCriterion criterion = LimitingCriterion::acoustic_water;
+    double size = 0;                                                  ///< [s]
+    LimitingCriterion criterion = LimitingCriterion::acoustic_water;  ///< the smallest of them
 };
 
-/// @param fastest  largest speed in water and in air [m/s]; a phase without particles does not limit
+/// @param model             for its fluids and its Courant number
+/// @param smoothing_length  h [m]
+/// @param fastest           largest speed in water and in air [m/s]
+/// @param has_water         a phase without particles does not limit
+/// @param has_air           likewise
 TimeStep stable_time_step(const Model& model, double smoothing_length,
                           const std::array<double, phase_count>& fastest, bool has_water, bool has_air);
 

@@ -202,7 +202,7 @@ TEST_CASE("what cannot be resumed is refused in one line", "[faults]") {
     }
     std::filesystem::remove(run / "fields/frame_000000.vtp");
     expect_refusal(2, "field files written before the checkpoint are there");
-    REQUIRE(list_checkpoints(run).size() == 2);
+    REQUIRE(list_checkpoints(run).size() >= 2);  // three if it was stopped before it removed the oldest
     samples::put_bytes(run / "identity", "another\n");
     expect_refusal(2, "belongs to another run");
 }

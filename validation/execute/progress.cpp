@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
 namespace wetdeck {
 
@@ -15,10 +17,20 @@ std::string duration_text(double seconds) {
     return fmt::format("{} h {} min", total / 3600, total % 3600 / 60);
 }
 
+namespace {
+
+/// A terminal that cannot go back in a line.
+bool is_dumb() {
+    const char* name = std::getenv("TERM");
+    return name != nullptr && std::string_view(name) == "dumb";
+}
+
+}  // namespace
+
 Progress::Progress(std::string label, bool quiet)
     : label_(std::move(label)),
       quiet_(quiet),
-      terminal_(isatty(STDERR_FILENO) != 0),
+      terminal_(isatty(STDERR_FILENO) != 0 && !is_dumb()),
       start_(Clock::now()),
       last_(start_) {}
 

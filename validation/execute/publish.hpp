@@ -8,7 +8,7 @@
 
 namespace wetdeck {
 
-/// Writes TARGET/<tier>/: README.md (where the numbers come from, statistics, errors and costs), runs.csv,
+/// Writes TARGET/TIER/: README.md (where the numbers come from, statistics, errors and costs), runs.csv,
 /// values.csv, statistics.csv, scatter.csv, and of the figures of DIR those over all scenes and of speed
 /// against error. The folder of the tier belongs to the publication: figures of an earlier one go. Needs the
 /// report in DIR.

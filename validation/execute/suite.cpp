@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "solver/core/errors.hpp"
@@ -158,15 +159,28 @@ std::string row_name(const SuiteRow& row) {
            (row.overrides.size() == 1 ? row.overrides.front() : row.directory.filename().string());
 }
 
-void print_plan(const SuiteOptions& options) {
+void print_plan(const SuiteOptions& options, bool as_json) {
     double total = 0;
-    std::size_t number = 0;
-    fmt::print("{:>4}  {:>10}  {:>11}  {}\n", "row", "core s", "state", "run");
+    nlohmann::json plan = nlohmann::json::array();
+    if (!as_json) fmt::print("{:>4}  {:>10}  {:>11}  {}\n", "row", "core s", "state", "run");
     for (const SuiteRow& row : suite_rows(options)) {
         const char* state = finished(row) ? "done" : interrupted(row) ? "interrupted" : "to do";
-        fmt::print("{:>4}  {:>10.4g}  {:>11}  {}\n", number++, row.estimated_core_seconds, state,
-                   row_name(row));
         if (!finished(row)) total += row.estimated_core_seconds;
+        plan.push_back({{"row", plan.size()},
+                        {"scene", row.scene},
+                        {"variant", row.variant},
+                        {"dx", row.particle_spacing},
+                        {"overrides", row.overrides},
+                        {"core_s", row.estimated_core_seconds},
+                        {"state", state},
+                        {"directory", row.directory.string()}});
+        if (as_json) continue;
+        fmt::print("{:>4}  {:>10.4g}  {:>11}  {}\n", plan.size() - 1, row.estimated_core_seconds, state,
+                   row_name(row));
+    }
+    if (as_json) {
+        const nlohmann::json all = {{"tier", options.tier}, {"core_s_left", total}, {"rows", plan}};
+        return fmt::print("{}\n", all.dump(1));
     }
     fmt::print("about {} of one core are left to be done\n", duration_text(total));
 }
@@ -212,10 +226,15 @@ int run_suite(const SuiteOptions& options) {
 }
 
 int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options) {
+    const auto say = [&](const std::string& line) {
+        if (options.quiet) return;
+        fmt::print("{}", line);
+        std::fflush(stdout);
+    };
     std::vector<SuiteRow> waiting;
     for (const SuiteRow& row : rows) {
         if (!options.fresh && finished(row)) {
-            fmt::print("  {}: finished before, reused\n", row_name(row));
+            say(fmt::format("  {}: finished before, reused\n", row_name(row)));
         } else {
             waiting.push_back(row);
         }
@@ -224,10 +243,10 @@ int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options) {
     for (const SuiteRow& row : waiting) total += row.estimated_core_seconds;
     const int cores = omp_get_num_procs();
     const int jobs = options.jobs > 0 ? options.jobs : cores;
-    fmt::print("{} runs to do, about {} on {} cores\n", waiting.size(), duration_text(total / cores), cores);
-    std::fflush(stdout);
+    say(fmt::format("{} runs to do, about {} on {} cores\n", waiting.size(), duration_text(total / cores),
+                    cores));
 
-    Progress progress("suite");
+    Progress progress("suite", options.quiet);
     std::map<pid_t, SuiteRow> running;
     int worst = 0;
     std::size_t next = 0, ended = 0;
@@ -258,8 +277,7 @@ int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options) {
         worst = std::max(worst, judge(row, status));
         done += row.estimated_core_seconds;
         ++ended;
-        fmt::print("  {}: done ({} of {})\n", row_name(row), ended, waiting.size());
-        std::fflush(stdout);
+        say(fmt::format("  {}: done ({} of {})\n", row_name(row), ended, waiting.size()));
     }
     if (const int signal = stop_signal(); signal != 0)
         throw Interrupted(

@@ -29,6 +29,7 @@ struct SuiteOptions {
     int jobs = 0;                    ///< runs at a time; 0: one per core
     int threads = 0;                 ///< of each run; 0: the cores shared out among the jobs
     bool fresh = false;              ///< run again what is finished
+    bool quiet = false;              ///< no progress, failures only
     std::optional<std::size_t> row;  ///< this row of the plan alone
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< of each run, wall seconds
 };
@@ -46,7 +47,7 @@ bool finished(const SuiteRow& row);
 bool interrupted(const SuiteRow& row);
 
 /// The rows of the tier with their number, cost estimate and whether they are done.
-void print_plan(const SuiteOptions& options);
+void print_plan(const SuiteOptions& options, bool as_json);
 
 /// Runs the rows that are not finished, interrupted ones from their last checkpoint. A signal to stop is
 /// passed on to the runs, and when they have written theirs Interrupted is thrown. Returns the worst exit

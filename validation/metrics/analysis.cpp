@@ -124,7 +124,7 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         run.momentum_error = momentum_error(run.record);
     }
     for (const AnalysisSpec& spec : scenes) {
-        ReferenceShelf references(reference_directory / spec.scene);
+        ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         for (RunSummary& run : summary.runs) {
             if (applies(spec, run.record)) evaluate_run(spec, run, references);
         }
@@ -138,7 +138,7 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         append(summary.scatter, scatter_points(spec, summary.runs));
     }
     for (const AnalysisSpec& spec : summary.scenes) {
-        ReferenceShelf references(reference_directory / spec.scene);
+        ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         append(summary.cheapest, cheapest_rows(summary.runs, spec));
         append(summary.peers, peer_points(spec, references));
         if (spec.error_quantity.empty()) continue;

@@ -14,7 +14,7 @@ namespace wetdeck {
 /// of which there may be one for each variant:
 /// quantities, comparisons, energy and momentum error; then convergence per scene, variant and quantity over
 /// the runs that ended well, and error against cost for the scenes that name an error quantity. References
-/// are read from reference_directory/<scene>/. A run whose scene has no specification keeps its conservation
+/// are read from reference_directory/SCENE/. A run whose scene has no specification keeps its conservation
 /// errors only. `sensitivity_runs` are runs with one input changed: they count for the input uncertainty
 /// alone. `tier`, `ablation`, `stress` and `missing` are left to the caller. Throws InputError for a
 /// specification, DataError for a reference file, that is not sound.

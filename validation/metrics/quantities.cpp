@@ -160,10 +160,16 @@ Outcome evaluate(const QuantitySpec& spec, const RunRecord& record, ReferenceShe
 
 }  // namespace
 
+std::filesystem::path reference_file(const std::string& stem, const std::filesystem::path& own,
+                                     const std::filesystem::path& directory) {
+    const std::filesystem::path name = stem + ".csv";
+    return !own.empty() && std::filesystem::exists(own / name) ? own / name : directory / name;
+}
+
 const Reference* ReferenceShelf::find(const std::string& stem) {
     auto found = files_.find(stem);
     if (found == files_.end()) {
-        const std::filesystem::path path = directory_ / (stem + ".csv");
+        const std::filesystem::path path = reference_file(stem, own_, directory_);
         std::optional<Reference> reference;
         if (is_analytic(stem)) {
             reference = parse_reference(stem, analytic_reference(stem));
@@ -182,7 +188,7 @@ std::string reference_hashes(const AnalysisSpec& scene, const std::filesystem::p
     stems.erase("");
     std::string out;
     for (const std::string& stem : stems) {
-        const std::string hash = file_hash(directory / (stem + ".csv"));
+        const std::string hash = file_hash(reference_file(stem, scene.folder, directory));
         if (!hash.empty()) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", stem, hash);
     }
     return out;

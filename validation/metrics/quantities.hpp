@@ -13,11 +13,18 @@
 
 namespace wetdeck {
 
+/// Where the file `stem`.csv of a scene lies: in its own folder if it is there, else in `directory`, whether
+/// it is there or not.
+std::filesystem::path reference_file(const std::string& stem, const std::filesystem::path& own,
+                                     const std::filesystem::path& directory);
+
 /// The references of one scene, each read or computed once.
 class ReferenceShelf {
   public:
-    /// `directory` holds the files of the scene, for example reference_data/dam_break.
-    explicit ReferenceShelf(std::filesystem::path directory) : directory_(std::move(directory)) {}
+    /// @param directory  holds the files of the scene, for example reference_data/dam_break
+    /// @param own        looked into first, if not empty
+    explicit ReferenceShelf(std::filesystem::path directory, std::filesystem::path own = {})
+        : directory_(std::move(directory)), own_(std::move(own)) {}
 
     /// The file `stem`.csv, or null if there is none; the computed curve where `stem` begins with
     /// "analytic:". Throws DataError if the file is there but not sound, InputError for an analytic curve
@@ -25,7 +32,7 @@ class ReferenceShelf {
     const Reference* find(const std::string& stem);
 
   private:
-    std::filesystem::path directory_;
+    std::filesystem::path directory_, own_;
     std::map<std::string, std::optional<Reference>> files_;
 };
 

@@ -2,6 +2,7 @@
 // What a scene file asks of its runs: quantities of interest and comparisons with references.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -56,7 +57,7 @@ struct QuantitySpec : SeriesScaling {
 struct ComparisonSpec : SeriesScaling {
     std::string title;
     std::string quantity;   ///< name of the series
-    std::string reference;  ///< file stem in reference_data/<scene>/, or "analytic:NAME key=value ..."
+    std::string reference;  ///< file stem in reference_data/SCENE/, or "analytic:NAME key=value ..."
     std::string x_column;
     std::string y_column;
     std::optional<Window> window;  ///< where the metrics are taken; the whole overlap if absent
@@ -95,6 +96,7 @@ struct AnalysisSpec {
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::string error_quantity;       ///< the quantity whose value is the error of the speed-error diagram
     std::string default_variant;
+    std::filesystem::path folder;  ///< of the scene file: its own curves come before those of the program
 };
 
 }  // namespace wetdeck

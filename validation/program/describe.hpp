@@ -7,6 +7,6 @@
 namespace wetdeck {
 
 void print_list(bool as_json);
-void print_description(const std::string& scene);
+void print_description(const std::string& scene, bool as_json);
 
 }  // namespace wetdeck

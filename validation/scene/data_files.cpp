@@ -31,7 +31,7 @@ std::vector<fs::path> roots(const char* in_source) {
     std::vector<fs::path> candidates;
     const fs::path leaf = fs::path(in_source).filename();
     if (const char* chosen = std::getenv("WETDECK_DATA")) candidates.push_back(fs::path(chosen) / leaf);
-    candidates.push_back(program_directory() / "../share/wetdeck" / leaf);
+    candidates.push_back(program_directory().parent_path() / "share/wetdeck" / leaf);
     candidates.push_back(fs::path(WETDECK_SOURCE_ROOT) / in_source);
     return candidates;
 }

@@ -29,12 +29,25 @@ void read_freedom(const TomlTable& table, RigidBody& body) {
     }
 }
 
+/// In the frame of the file. Of a mirrored body one half is given, from the keel to the deck.
+Outline read_corners(const TomlTable& table) {
+    Outline corners;
+    for (const std::vector<double>& corner : table.number_rows("outline", 2))
+        corners.emplace_back(corner[0], corner[1]);
+    if (!table.boolean_or("mirrored", false)) return corners;
+    for (std::size_t k = corners.size(); k-- > 0;) {
+        if (corners[k].x() < 0) table.fail("outline", "of a mirrored body has a corner at x < 0");
+        if (corners[k].x() > 0) corners.emplace_back(-corners[k].x(), corners[k].y());
+    }
+    return corners;
+}
+
 BodySpec read_body(const TomlTable& table, const std::string& name, const Scene& scene) {
     BodySpec spec;
     spec.name = name;
     spec.origin = point(table, "place");
-    for (const std::vector<double>& corner : table.number_rows("outline", 2))
-        spec.outline.push_back(spec.origin + Vec2(corner[0], corner[1]));
+    spec.outline = read_corners(table);
+    for (Vec2& corner : spec.outline) corner += spec.origin;
     try {
         check_outline(spec.outline);
     } catch (const InputError& error) {

@@ -11,6 +11,7 @@
 
 #include "solver/core/errors.hpp"
 #include "solver/time/time_step.hpp"
+#include "validation/scene/outline_file.hpp"
 #include "validation/scene/sections.hpp"
 #include "validation/scene/toml_reader.hpp"
 
@@ -225,13 +226,18 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::o
     Scene scene = read_document(TomlDocument(text, path), variant, overrides, path);
     scene.text = text;
     scene.path = path;
+    scene.analysis.folder = fs::path(path).parent_path();
     scene.overrides = overrides;
     return scene;
 }
 
 Scene read_scene(const fs::path& path, const std::optional<std::string>& variant,
                  const std::vector<std::string>& overrides) {
-    return parse_scene(read_file(path), path.string(), variant, overrides);
+    const std::string text = with_outlines(read_file(path), path);
+    Scene scene = parse_scene(text, path.string(), variant, overrides);
+    scene.path = fs::absolute(path).lexically_normal().string();  // a report may be made from anywhere
+    scene.analysis.folder = fs::path(scene.path).parent_path();
+    return scene;
 }
 
 CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {

@@ -99,7 +99,7 @@ struct Scene {
     double force_filter = 0;             ///< width of the moving mean of filtered forces [s]
     std::vector<double> frame_times;     ///< of the field files [s], sorted
     std::vector<double> picture_times;   ///< of the frames that the report shows [s]
-    std::string text;                    ///< the file as read
+    std::string text;                    ///< the file as read, with the outlines that it takes from others
     std::string path;                    ///< where it was read
     std::vector<std::string> overrides;  ///< KEY=VALUE, as given
     std::string resolved;                ///< the document after variant and --set: what decides a run

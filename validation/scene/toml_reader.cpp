@@ -239,6 +239,44 @@ void TomlDocument::overlay(const std::vector<std::string>& path_to_table) {
     merge(state_->root, *source);
 }
 
+namespace {
+
+/// Position in the text of a line and a column, both from 1; columns count code points.
+std::size_t byte_at(const std::string& text, const toml::source_position& position) {
+    std::size_t at = 0;
+    for (toml::source_index line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
+    for (toml::source_index column = 1; column < position.column; ++column) {
+        ++at;
+        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) ++at;
+    }
+    return at;
+}
+
+void collect_texts(const toml::table& table, const std::string& wanted, const std::string& prefix,
+                   const std::string& text, std::vector<TomlDocument::TextValue>& found) {
+    for (const auto& [key, value] : table) {
+        const std::string name = prefix + std::string(key.str());
+        if (value.is_table()) {
+            collect_texts(*value.as_table(), wanted, name + ".", text, found);
+        } else if (value.is_string() && key.str() == wanted) {
+            const toml::source_region& region = value.source();
+            if (region.begin.line != region.end.line) continue;
+            found.push_back({name, value.as_string()->get(), region.begin.line, byte_at(text, region.begin),
+                             byte_at(text, region.end)});
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<TomlDocument::TextValue> TomlDocument::texts_named(const std::string& key) const {
+    std::vector<TextValue> found;
+    collect_texts(state_->root, key, "", state_->text, found);
+    std::sort(found.begin(), found.end(),
+              [](const TextValue& a, const TextValue& b) { return a.begin < b.begin; });
+    return found;
+}
+
 void TomlDocument::set(const std::string& assignment) {
     const std::string where = fmt::format("option --set {}", assignment);
     const std::size_t equals = assignment.find('=');

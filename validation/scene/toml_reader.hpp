@@ -59,6 +59,15 @@ class TomlDocument {
 
     /// Lays the table at the dotted key over the root, entry by entry (a variant over the scene).
     void overlay(const std::vector<std::string>& path_to_table);
+    /// A text in quotes, on one line, and where it stands in the document [bytes], quotes included.
+    struct TextValue {
+        std::string key;  ///< dotted
+        std::string value;
+        std::size_t line, begin, end;
+    };
+    /// The texts that stand under this key in whatever table, as they follow each other.
+    std::vector<TextValue> texts_named(const std::string& key) const;
+
     /// KEY=VALUE from the command line. The value is TOML; a bare word is taken as text.
     void set(const std::string& assignment);
     TomlTable root() const;

@@ -34,7 +34,7 @@ struct Checkpoint {
 /// The files of the checkpoints in a directory, newest first.
 std::vector<std::filesystem::path> list_checkpoints(const std::filesystem::path& run_dir);
 
-/// Writes DIR/checkpoint_<step>.h5 whole (temporary file, fsync, rename) and then removes all but the two
+/// Writes DIR/checkpoint_STEP.h5 whole (temporary file, fsync, rename) and then removes all but the two
 /// newest. Throws EnvironmentError if the machine refuses; the checkpoints before stay.
 void write_checkpoint(const std::filesystem::path& run_dir, const Checkpoint& checkpoint);
 
