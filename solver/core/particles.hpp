@@ -61,7 +61,7 @@ struct alignas(64) WallState {
     double y = 0;   ///< its y [m]
     double vx = 0;  ///< velocity of the wall there [m/s]
     double vy = 0;  ///< its y [m/s]
-    double nx = 0;  ///< unit normal of the nearest face, into the fluid
+    double nx = 0;  ///< unit normal of the nearest face, into the fluid; zero at an edge
     double ny = 0;  ///< its other component
     double ax = 0;  ///< acceleration of the wall there [m/s^2]
     double ay = 0;  ///< its y [m/s^2]

@@ -44,9 +44,9 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
     sums.rate += sum;
 }
 
-/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump.
-/// Where it is mirrored it moves along its face with the water around it. What touches a wall is covered,
-/// however thin the water is.
+/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump;
+/// an edge of a body, which has no normal, reverses the whole velocity. Where the wall is mirrored it moves
+/// along its face with the water around it.
 template <bool mirrored, bool covered>
 void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
                       std::uint32_t count, DensitySums& sums) {
@@ -59,6 +59,11 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         const Separation s = separation(i, w.x, w.y);
         const Pack weight = WendlandC2::cubed_reach(s.distance, inverse_h);
         if constexpr (covered) cover += WendlandC2::bell(s.distance, inverse_h);
+        if (w.nx == 0 && w.ny == 0) {
+            sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
+            nearest = minimum(nearest, s.distance);
+            continue;
+        }
         const Pack closing = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
         const Pack height = s.x * w.nx + s.y * w.ny;
         sum += weight * closing * height;

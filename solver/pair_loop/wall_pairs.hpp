@@ -21,10 +21,11 @@ WETDECK_INLINE Pack wall_p_star(Fluid pressure, Fluid density, Pack sx, Pack sy,
     Pack p_right = one_sided;
     if constexpr (shepard) p_right = select(height > 0.0, mean_pressure, one_sided);
     const Pack receding = vx * nx + vy * ny;
-    const Pack approach = select(height > 0.0, -receding, receding);
+    const Pack closing = -(vx * sx + vy * sy) * inverse_distance;
+    const Wall edge = 1.0 - (nx * nx + ny * ny);  // has no normal
+    const Pack approach = select(height > 0.0, -receding, receding) + edge * closing;
     Pack p_star = 0.5 * (pressure + p_right) + riemann_dissipation(approach, c.limiter);
     if constexpr (no_slip) {
-        const Pack closing = -(vx * sx + vy * sy) * inverse_distance;
         p_star += c.viscosity * maximum(2.0 * closing, c.lowest_viscous_jump);
     }
     return p_star;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounds of the density of water,
-//     rho_lowest <= rho_i <= rho_0 max(1, C_i / full),   C_i = SUM_j V_j W_ij over fluid and walls.
+//     rho_lowest <= rho_i <= rho_0 max(1, 1 + 10 (C_i - full)),   C_i = SUM_j V_j W_ij over fluid and walls.
 //
 // Above: the continuity equation counts a wall, or other water, as soon as it comes within the kernel's
 // support, and would compress a surface that nothing has touched yet. Bodies then act as if they were half a
@@ -20,6 +20,9 @@ namespace wetdeck {
 /// that a run survives is below.
 inline constexpr double touching_distance = 0.25, touching_cover = 10;
 
+/// Of the upper bound beyond a full cover: impacts compress water by a tenth, and leave its cover as it is.
+inline constexpr double steepness = 10;
+
 /// The bounds of one pass over the water.
 struct DensityBounds {
     double lowest = 0;              ///< [kg/m^3]
@@ -29,7 +32,8 @@ struct DensityBounds {
     /// `density` within the bounds; `particle_cover` counts only where there is an upper bound.
     template <class Real>
     Real limit(Real density, Real particle_cover, double reference_density) const {
-        const Real highest = reference_density * maximum(Real(1.0), particle_cover * (1 / full_cover));
+        const Real highest =
+            reference_density * maximum(Real(1.0), 1.0 + steepness * (particle_cover - full_cover));
         return maximum(cover ? minimum(density, highest) : density, Real(lowest));
     }
 };

@@ -7,6 +7,7 @@
 #include <boost/geometry/geometries/polygon.hpp>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "solver/core/errors.hpp"
 
@@ -57,6 +58,14 @@ Vec2 outward_normal(Vec2 from, Vec2 to) {
     return {along.y(), -along.x()};
 }
 
+/// Where a thin part ends there is no normal that serves both faces: the mean of the two reverses half the
+/// velocity.
+bool is_edge(Vec2 before, Vec2 after) {
+    constexpr double least_turn = 75 * std::numbers::pi / 180;
+    const bool convex = before.x() * after.y() - before.y() * after.x() > 0;
+    return before.dot(after) < std::cos(least_turn) && convex;
+}
+
 /// Points a spacing apart along the chain of corners first, first + 1, ..., last of a ring: at its beginning,
 /// and evenly up to its end, which is left to the next chain.
 void space_chain(const std::vector<Vec2>& ring, std::size_t first, std::size_t last, bool sharp_start,
@@ -78,14 +87,14 @@ void space_chain(const std::vector<Vec2>& ring, std::size_t first, std::size_t l
         Vec2 normal = outward_normal(corner(side), corner(side + 1));
         if (k == 0 && sharp_start) {
             const Vec2 previous = outward_normal(corner(first + ring.size() - 1), corner(first));
-            const Vec2 mean = normal + previous;
-            if (mean.norm() > 1e-6) normal = mean.normalized();
+            normal = is_edge(previous, normal) ? Vec2(0, 0) : Vec2((normal + previous).normalized());
         }
         out.push_back({corner(side) + (arc - before) * along, normal});
     }
 }
 
-/// Points a spacing apart around a ring; its sharp corners have one each, with the mean of the two normals.
+/// Points a spacing apart around a ring; its sharp corners have one each, with the mean of the two normals
+/// or, at an edge, with none.
 std::vector<SurfacePoint> spaced_points(const std::vector<Vec2>& ring, double particle_spacing) {
     constexpr double sharp = 0.35;  // [rad]: a curve drawn with straight pieces turns less at each of them
     std::vector<SurfacePoint> points;

@@ -172,20 +172,25 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         if (offset.norm() >= kernel.support_radius()) continue;
         const Vec2 e = -offset.normalized(), n = normal(wall), t = tangent(wall);
         const double slope = particle_spacing * particle_spacing * kernel_slope(kernel, offset.norm());
-        sums.compression += slope * velocity.dot(n) * n.dot(e);
+        const bool edge = n.norm() == 0;
+        sums.compression += slope * (edge ? velocity.dot(e) : velocity.dot(n) * n.dot(e));
+        if (edge) nearest = std::min(nearest, offset.norm());
         const bool in_front = offset.dot(n) > 0;
         if (in_front) {
             stretching += slope * (p.velocity() - Vec2(rates.wall[w].vx, rates.wall[w].vy)).dot(t) * t.dot(e);
         }
-        if (std::abs(offset.dot(n)) >= std::abs(offset.dot(t))) nearest = std::min(nearest, offset.dot(n));
+        if (!edge && std::abs(offset.dot(n)) >= std::abs(offset.dot(t)))
+            nearest = std::min(nearest, offset.dot(n));
 
         const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
                                                     wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
         const bool sees_mean = in_front && sees_mean_pressure(model, fluid.phase(i));
         const double behind = sees_mean ? rates.wall[w].pressure : one_sided;
         const DissipationLimiter limiter{side.impedance(), model.wall_dissipation / side.eos.sound_speed, 0};
-        double p_star = 0.5 * (p.pressure + behind) +
-                        riemann_dissipation(in_front ? -velocity.dot(n) : velocity.dot(n), limiter);
+        double p_star = 0.5 * (p.pressure + behind) + riemann_dissipation(edge       ? velocity.dot(e)
+                                                                          : in_front ? -velocity.dot(n)
+                                                                                     : velocity.dot(n),
+                                                                          limiter);
         const double jump = 2 * velocity.dot(e);
         if (model.wall_slip == WallSlip::no && model.viscosity != Viscosity::none &&
             (model.viscosity == Viscosity::symmetric || jump > 0)) {

@@ -27,15 +27,16 @@ TEST_CASE("only what a scene has can be left out of it") {
     CHECK(names(small("two-phase")) ==
           std::vector<std::string>{"air", "hydrostatic correction", "water dissipation", "air dissipation",
                                    "wall dissipation", "mirrored wall velocity", "Shepard wall pressure",
-                                   "background pressure", "pressure diffusion"});
+                                   "background pressure", "pressure diffusion", "density bound"});
     CHECK(names(small("single-phase")) ==
           std::vector<std::string>{"hydrostatic correction", "water dissipation", "wall dissipation",
-                                   "mirrored wall velocity", "Shepard wall pressure", "pressure diffusion"});
+                                   "mirrored wall velocity", "Shepard wall pressure", "pressure diffusion",
+                                   "density bound"});
     CHECK(names(small("single-phase", {"model.dissipation=riemann", "model.viscosity=symmetric",
                                        "model.wall_dissipation=0", "model.dissipation_switch=true"})) ==
           std::vector<std::string>{"viscosity", "hydrostatic correction", "Riemann dissipation",
                                    "mirrored wall velocity", "Shepard wall pressure", "pressure diffusion",
-                                   "switched dissipation"});
+                                   "density bound", "switched dissipation"});
     // the harmonic mean of pressures needs the background
     const auto harmonic = names(small("two-phase", {"model.pressure_mean=harmonic"}));
     CHECK(std::count(harmonic.begin(), harmonic.end(), "background pressure") == 0);
@@ -63,9 +64,9 @@ TEST_CASE("the plan leaves out one at a time, and adds one at a time to the mini
     std::set<std::string> run_names;
     for (const AblationRun& run : plan.runs) run_names.insert(run.name);
     CHECK(run_names.size() == plan.runs.size());
-    // nine left out, the switch added, eight put into the minimal model
-    REQUIRE(plan.pairs.size() == 9 + 1 + 8);
-    REQUIRE(plan.runs.size() == 1 + 9 + 1 + 1 + 8);
+    // ten left out, the switch added, nine put into the minimal model
+    REQUIRE(plan.pairs.size() == 10 + 1 + 9);
+    REQUIRE(plan.runs.size() == 1 + 10 + 1 + 1 + 9);
     const auto of = [&](std::size_t run) { return names(small("two-phase", plan.runs[run].overrides)); };
     for (const AblationPair& pair : plan.pairs) {
         if (pair.ingredient == "air") continue;

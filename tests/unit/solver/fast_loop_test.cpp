@@ -118,11 +118,14 @@ TEST_CASE("Rates of the fast loop are those of the plain sum over all pairs", "[
     }
 }
 
-TEST_CASE("Under a bound of the density the fast loop is the plain sum, too", "[simd][wall]") {
+TEST_CASE("At edges of bodies and under a bound of the density the fast loop is the plain sum, too",
+          "[simd][wall]") {
     const std::string name = GENERATE(from_range(samples::instruction_sets()));
     const samples::ChosenInstructionSet chosen(name);
     samples::Setup setup = samples::shaken_tank(two_phase_model(), 4);
     setup.model.tension = false;
+    for (std::size_t w = 0; w < setup.walls.size(); w += 3)
+        setup.walls.state[w].nx = setup.walls.state[w].ny = 0;
     const Simulation simulation = setup.simulate();
     const FluidParticles& fluid = simulation.fluid();
     const samples::Rates expected = samples::reference_rates(fluid, simulation.walls(), simulation.model(),

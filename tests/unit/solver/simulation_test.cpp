@@ -85,7 +85,9 @@ TEST_CASE("The list is built again when particles have moved by half the skin, a
 }
 
 TEST_CASE("A particle whose density leaves its range ends the run with its name", "[simulation]") {
-    Simulation simulation = disc({0, 0}).simulate();
+    samples::Setup setup = disc({0, 0});
+    setup.model.full_cover = 0;
+    Simulation simulation = setup.simulate();
     simulation.disturb().state[5].density = 5100;
     const std::uint32_t id = simulation.fluid().id[5];
     const std::optional<Instability> trouble = simulation.step(1e-9);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One time step against one put together by hand from the plain rates.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "solver/physics/density_bounds.hpp"
 #include "tests/support/reference_rates.hpp"
 #include "tests/support/samples.hpp"
 
@@ -34,6 +36,10 @@ struct ByHand {
             const bool water = setup.fluid.phase(i) == Phase::water;
             FluidState& p = setup.fluid.state[i];
             p.density += time * rates.density[i];
+            if (water && time > 0)
+                p.density = std::min(
+                    p.density, setup.model.water.eos.reference_density *
+                                   std::max(1.0, 1 + steepness * (rates.cover[i] - setup.model.full_cover)));
             p.volume = setup.fluid.mass[i] / p.density;
             p.pressure = (water ? setup.model.water : setup.model.air).eos.pressure(p.density);
         }
