@@ -132,7 +132,7 @@ TEST_CASE("At edges of bodies and under a bound of the density the fast loop is 
                                                              simulation.particle_spacing());
     CHECK(difference(fluid.density_rate, expected.density, 0, fluid.water) < 1e-11);
     CHECK(difference(fluid.acceleration_x, expected.acceleration_x, 0, fluid.water) < 1e-11);
-    CHECK(difference(fluid.cover, expected.cover, 0, fluid.size()) < 1e-11);
+    CHECK(difference(fluid.cover, expected.cover, 0, fluid.water) < 1e-11);
 }
 
 TEST_CASE("Every ingredient changes the rates, so that the comparison above can see it", "[pairs]") {

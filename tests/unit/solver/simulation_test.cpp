@@ -144,7 +144,7 @@ TEST_CASE("Water that nothing has touched yet is not compressed", "[simulation]"
     setup.model.tension = false;
     setup.model.full_cover = GENERATE(0.0, 0.9);
     Simulation simulation = setup.simulate();
-    while (simulation.time() < 0.3 * dx) REQUIRE_FALSE(simulation.step(0.05 * dx));  // rows 1.2 dx apart
+    while (simulation.time() < 0.2 * dx) REQUIRE_FALSE(simulation.step(0.05 * dx));  // rows 1.4 dx apart
     double highest = 0;
     for (const FluidState& p : simulation.fluid().state) highest = std::max(highest, p.density);
     if (setup.model.full_cover > 0) {

@@ -56,7 +56,8 @@ TEST_CASE("A particle that runs away, is lost or is no number ends the run in th
         what = "air density";
     }
     SECTION("density too high") {
-        fluid.state[water].density = 5100;
+        culprit = air;  // that of water is bounded by its cover
+        fluid.state[air].density = 5100;
         what = "left the range of a fluid";
     }
     SECTION("outside the tank") {
