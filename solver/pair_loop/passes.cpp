@@ -85,7 +85,8 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
     sums.rate += in.wall_volume * sum;
     if constexpr (covered) {
         const Pack face = nearest * (1 / in.particle_spacing) - 0.5;
-        sums.cover += select(face < touching_distance, Pack(touching_cover), in.wall_volume * cover);
+        const double touching = touching_cover / in.kernel.normalisation();
+        sums.cover += select(face < touching_distance, Pack(touching), in.wall_volume * cover);
     }
 }
 
