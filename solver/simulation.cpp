@@ -151,6 +151,8 @@ void Simulation::update_density(double dt) {
         bounds.lowest = model_.tension ? lowest_density_ratio * eos.reference_density : eos.reference_density;
         if (dt > 0 && first == 0 && model_.full_cover > 0) bounds.cover = fluid_.cover.data();
         bounds.full_cover = model_.full_cover;
+        const double weight = model_.gravity.norm() * particle_spacing_;
+        bounds.open = eos.reference_density * (1 + weight / (eos.sound_speed * eos.sound_speed));
         loops_.advance_density(fluid_.state.data(), fluid_.density_rate.data(), fluid_.mass.data(), first,
                                last, dt, eos, bounds, threads_);
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounds of the density of water,
-//     rho_lowest <= rho_i <= rho_0 max(1, 1 + 10 (C_i - full)),   C_i = SUM_j V_j W_ij over fluid and walls.
+//     rho_lowest <= rho_i <= max(rho_open, rho_0 (1 + 10 (C_i - full))),   C_i = SUM_j V_j W_ij over fluid
+//     and walls.
 //
 // Above: the continuity equation counts a wall, or other water, as soon as it comes within the kernel's
 // support, and would compress a surface that nothing has touched yet. Bodies then act as if they were half a
@@ -8,6 +9,8 @@
 // says; 1.0 with the bound). A particle whose support is not full has nothing to press against. Full is less
 // than one, so that disorder does not count as a gap. What is closer to a face than particles come to rest
 // counts as covered: thin jets would pass through walls.
+//
+// rho_open is what the weight of one spacing of water gives: a surface at rest keeps its pressure.
 //
 // Below: water without air bears no tension, and what flies apart must not remember it: rho_lowest = rho_0.
 #pragma once
@@ -27,13 +30,14 @@ inline constexpr double steepness = 10;
 struct DensityBounds {
     double lowest = 0;              ///< [kg/m^3]
     const double* cover = nullptr;  ///< C of each particle; none for no upper bound
+    double open = 0;                ///< highest where the support is not full [kg/m^3]
     double full_cover = 1;          ///< C of a full support
 
     /// `density` within the bounds; `particle_cover` counts only where there is an upper bound.
     template <class Real>
     Real limit(Real density, Real particle_cover, double reference_density) const {
         const Real highest =
-            reference_density * maximum(Real(1.0), 1.0 + steepness * (particle_cover - full_cover));
+            maximum(Real(open), reference_density * (1.0 + steepness * (particle_cover - full_cover)));
         return maximum(cover ? minimum(density, highest) : density, Real(lowest));
     }
 };

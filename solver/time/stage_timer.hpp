@@ -6,8 +6,10 @@
 
 namespace wetdeck {
 
+/// Adds the wall seconds from its making to its end to a total.
 class StageTimer {
   public:
+    /// Starts now; `total` outlives it.
     explicit StageTimer(double& total) : total_(total), start_(std::chrono::steady_clock::now()) {}
     ~StageTimer() {
         total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

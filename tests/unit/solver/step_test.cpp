@@ -36,10 +36,13 @@ struct ByHand {
             const bool water = setup.fluid.phase(i) == Phase::water;
             FluidState& p = setup.fluid.state[i];
             p.density += time * rates.density[i];
-            if (water && time > 0)
-                p.density = std::min(
-                    p.density, setup.model.water.eos.reference_density *
-                                   std::max(1.0, 1 + steepness * (rates.cover[i] - setup.model.full_cover)));
+            if (water && time > 0) {
+                const TaitEquationOfState& eos = setup.model.water.eos;
+                const double weight = setup.model.gravity.norm() * setup.particle_spacing;
+                const double open = 1 + weight / (eos.sound_speed * eos.sound_speed);
+                const double filled = 1 + steepness * (rates.cover[i] - setup.model.full_cover);
+                p.density = std::min(p.density, eos.reference_density * std::max(open, filled));
+            }
             p.volume = setup.fluid.mass[i] / p.density;
             p.pressure = (water ? setup.model.water : setup.model.air).eos.pressure(p.density);
         }
