@@ -230,8 +230,10 @@ void run(Findings& findings) {
         text, sizeof text,
         "Rows of particles slide over each other; the kernel's moment of such rows gives %.4f of the nominal "
         "viscosity at the scheme's h/dx, and no refinement changes that. Couette flow then has the right "
-        "profile and too little stress (1.8 to 2.1 %% at 80 spacings), Poiseuille flow too much speed (1.1 to "
-        "1.7 %%): with respect to the nominal viscosity neither converges. The background pressure is that of "
+        "profile and too little stress (1.8 to 2.1 %% at 80 spacings), Poiseuille flow too much speed (1.1 "
+        "to "
+        "1.7 %%): with respect to the nominal viscosity neither converges. The background pressure is that "
+        "of "
         "the flow: with 1000 Pa, two thousand times "
         "the stress of the upper fluid, the forces of disorder drown the stress at 1000 to 1: 58 %% off at "
         "20 spacings, 88 %% at 40.",
