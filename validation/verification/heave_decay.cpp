@@ -219,7 +219,10 @@ Problem heave_decay() {
          Window{0.5, 2.5},
          "half of what radiation takes, 0.27: with more the scheme's damping could not be told from it. "
          "Dissipation "
-         "about the pontoon acts in a strip of one smoothing length: first order"},
+         "about the pontoon acts in a strip of one smoothing length: first order",
+         "0.18 at the coarsest spacing and 0.065 at half of it, order 1.5; 0.125 and 0.050 before the "
+         "density of "
+         "water was bounded by its cover. Why is not known."},
         {"heave_trough", "error of the depth of the first trough over the height of the start", resolution,
          0.1, Window{0.5, 2.5}, "the decrement's bound, in amplitude; first order",
          "The first trough is 0.76, 0.76 and 0.78 of the start at 40, 20 and 10 mm instead of 0.90: an error "
