@@ -78,15 +78,12 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
             }
         }
     }
-    if constexpr (mirrored) {
-        const Pack distance = nearest * (1 / in.particle_spacing) - 0.5;
-        sum = sum - 0.5 * stretching_share(distance) * stretching;
-    }
+    const Pack distance = nearest * (1 / in.particle_spacing) - 0.5;  // from the face, in spacings
+    if constexpr (mirrored) sum = sum - 0.5 * stretching_share(distance) * stretching;
     sums.rate += in.wall_volume * sum;
     if constexpr (covered) {
-        const Pack face = nearest * (1 / in.particle_spacing) - 0.5;
         const double touching = touching_cover / in.kernel.normalisation();
-        sums.cover += select(face < touching_distance, Pack(touching), in.wall_volume * cover);
+        sums.cover += select(distance < touching_distance, Pack(touching), in.wall_volume * cover);
     }
 }
 

@@ -2,7 +2,6 @@
 // Rigid bodies: free fall and rotation away from any fluid, and Archimedes' force and draught in still water.
 #include <cmath>
 
-#include "solver/setup/body_outline.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "validation/verification/problems.hpp"
 #include "validation/verification/setups.hpp"
@@ -33,8 +32,7 @@ void fly(Findings& findings) {
     RigidBody body = half_as_heavy();
     body.velocity = {0.7, 1.1};
     body.angular_velocity = 3;
-    add_body_particles(setup.walls, 0, pontoon, Vec2::Zero(), dx, 2 * setup.model.smoothing_ratio * dx);
-    setup.bodies = {body};
+    setup.put(body, pontoon);
     Simulation simulation = setup.simulate();
     advance(simulation, duration);
     const RigidBody& end = simulation.bodies().front();
@@ -51,13 +49,9 @@ Simulation basin(double dx, bool held) {
     RigidBody body = half_as_heavy();
     body.position = {0.5 * width, depth};
     body.free = {!held, !held, !held};
-    Outline placed = pontoon;
-    for (Vec2& corner : placed) corner += body.position;
-    clear_fluid(setup.fluid, placed, dx);
-    add_body_particles(setup.walls, 0, pontoon, Vec2::Zero(), dx, 2 * model.smoothing_ratio * dx);
+    setup.put(body, pontoon);
     set_initial_pressure(setup.fluid, model,
                          [](Phase, Vec2 at) { return water_density * gravity * (depth - at.y()); });
-    setup.bodies = {body};
     return setup.simulate();
 }
 

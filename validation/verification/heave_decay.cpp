@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/setup/body_outline.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "validation/verification/boundary_elements.hpp"
 #include "validation/verification/problems.hpp"
@@ -126,13 +125,9 @@ Simulation basin(double dx) {
     body.free = {false, true, false};
     const double a = 0.5 * beam, b = 0.5 * side;
     const Outline pontoon = {{-a, -b}, {a, -b}, {a, b}, {-a, b}};
-    Outline placed = pontoon;
-    for (Vec2& corner : placed) corner += body.position;
-    clear_fluid(setup.fluid, placed, dx);
-    add_body_particles(setup.walls, 0, pontoon, Vec2::Zero(), dx, 2 * model.smoothing_ratio * dx);
+    setup.put(body, pontoon);
     set_initial_pressure(setup.fluid, model,
                          [](Phase, Vec2 at) { return water_density * gravity * (depth - at.y()); });
-    setup.bodies = {body};
     return setup.simulate();
 }
 

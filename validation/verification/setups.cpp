@@ -34,6 +34,15 @@ void Setup::fill(Phase phase, Box box) {
     fill_box(fluid, phase, box, particle_spacing, material.eos.reference_density);
 }
 
+void Setup::put(const RigidBody& body, const Outline& outline) {
+    Outline placed = outline;
+    for (Vec2& corner : placed) corner += body.position;
+    clear_fluid(fluid, placed, particle_spacing);
+    add_body_particles(walls, static_cast<std::uint32_t>(bodies.size()), outline, Vec2::Zero(),
+                       particle_spacing, 2 * model.smoothing_ratio * particle_spacing);
+    bodies.push_back(body);
+}
+
 void shake(Setup& setup, double share, std::uint64_t seed) {
     Dice dice(seed);
     for (FluidState& p : setup.fluid.state) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 
+#include "solver/setup/body_outline.hpp"
 #include "solver/simulation.hpp"
 
 namespace wetdeck::verification {
@@ -30,6 +31,9 @@ struct Setup {
     /// A tank with walls all around; without them its sides are only where particles are expected.
     Setup(const Model& model, Box domain, double particle_spacing, bool with_walls);
     void fill(Phase phase, Box box);
+    /// Puts a body where its position says, unturned, and takes away the fluid there. The outline is about
+    /// its mass centre.
+    void put(const RigidBody& body, const Outline& outline);
     Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain, bodies); }
 };
 
