@@ -11,7 +11,8 @@ fail() { echo "FAILED: $*" >&2; exit 1; }
 # --- the program
 wetdeck=$prefix/bin/wetdeck
 cd "$folder"
-"$wetdeck" list | grep -q dam_break || fail "list names no dam_break"
+"$wetdeck" list >list.txt
+grep -q dam_break list.txt || fail "list names no dam_break"
 "$wetdeck" describe dam_break --json >dam_break.json
 grep -q "\"file\": \"$prefix/.*share/wetdeck/scenes/dam_break.toml\"" dam_break.json || fail "another tree's scene"
 grep -q "\"file\": \"$prefix/.*share/wetdeck/reference_data/dam_break/" dam_break.json || fail "another tree's data"
