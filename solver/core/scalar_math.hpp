@@ -17,8 +17,8 @@ inline double minimum(double a, double b) {
 inline double positive_part(double a) {
     return maximum(a, 0);
 }
-inline double inverse_sqrt(double a) {
-    return 1 / std::sqrt(a);
+inline bool any(bool condition) {
+    return condition;
 }
 inline double select(bool condition, double a, double b) {
     return condition ? a : b;

@@ -34,9 +34,8 @@ struct WendlandC2 {
     /// (2 - q)^4 (2 q + 1) inside the support, else 0.
     template <class Real, class Scale>
     static Real bell(Real distance, Scale inverse_smoothing_length) {
-        const Real q = distance * inverse_smoothing_length;
-        const Real t = positive_part(2.0 - q);
-        return t * t * t * t * (2.0 * q + 1.0);
+        const Real t = positive_part(2.0 - distance * inverse_smoothing_length);
+        return t * t * t * t * (5.0 - 2.0 * t);  // 2 q + 1 = 5 - 2 t
     }
 
     /// (2 - q)^3 inside the support, else 0.

@@ -24,13 +24,21 @@ void counting_sort(std::span<const std::uint32_t> keys, std::size_t key_count,
     start[0] = 0;
 }
 
-Box bounds(const FluidState* state, std::uint32_t count) {
-    Box box{state[0].position(), state[0].position()};
-    for (std::uint32_t i = 1; i < count; ++i) {
-        box.low = box.low.cwiseMin(state[i].position());
-        box.high = box.high.cwiseMax(state[i].position());
+template <class State>
+ClusterPoints points_of(const State* state, const Cluster& cluster) {
+    ClusterPoints points;
+    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
+        const State& particle = state[cluster.first + std::min(lane, cluster.count - 1)];
+        points.x[lane] = particle.x;
+        points.y[lane] = particle.y;
     }
-    return box;
+    return points;
+}
+
+Box bounds(const ClusterPoints& points) {
+    const auto [left, right] = std::minmax_element(std::begin(points.x), std::end(points.x));
+    const auto [low, high] = std::minmax_element(std::begin(points.y), std::end(points.y));
+    return {{*left, *low}, {*right, *high}};
 }
 
 void append_clusters(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, Phase phase) {
@@ -180,16 +188,9 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
             const bool of_wall = n >= fluid_clusters;
             Cluster& cluster = of_wall ? wall_clusters_[n - fluid_clusters] : clusters_[n];
             offsets[n - first] = used;
-            FluidState lanes[cluster_width];
-            for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
-                if (of_wall) {
-                    lanes[lane].x = walls.state[cluster.first + lane].x;
-                    lanes[lane].y = walls.state[cluster.first + lane].y;
-                } else {
-                    lanes[lane] = fluid.state[cluster.first + lane];
-                }
-            }
-            const Box box = bounds(lanes, cluster.count);
+            const ClusterPoints points =
+                of_wall ? points_of(walls.state.data(), cluster) : points_of(fluid.state.data(), cluster);
+            const Box box = bounds(points);
             const Cell low = cell_of(box.low.x() - reach_, box.low.y() - reach_);
             const Cell high = cell_of(box.high.x() + reach_, box.high.y() + reach_);
             const auto search = [&](const double* positions, const std::uint32_t* start) {
@@ -199,9 +200,8 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                     const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
                     // one entry of slack: the filter writes each candidate before it knows whether to keep it
                     if (list.size() < used + (end - begin) + 1) list.resize(2 * (used + (end - begin) + 1));
-                    used += loops.filter_near(lanes, cluster.count, positions,
-                                              sizeof(FluidState) / sizeof(double), begin, end, reach_,
-                                              list.data() + used);
+                    used += loops.filter_near(points, positions, sizeof(FluidState) / sizeof(double), begin,
+                                              end, reach_, list.data() + used);
                 }
                 return static_cast<std::uint32_t>(used - before);
             };

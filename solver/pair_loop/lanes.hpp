@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstring>
 
 #include "solver/pair_loop/pack.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
@@ -16,22 +17,27 @@ struct Lanes {
     Pack x, y, vx, vy, pressure, density, impact;
 };
 
-WETDECK_INLINE Lanes load(const FluidState* state, std::uint32_t first, std::uint32_t count) {
-    Lanes lanes;
-    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
-        const FluidState& particle = state[first + std::min(lane, count - 1)];
-        lanes.x.lanes[lane] = particle.x;
-        lanes.y.lanes[lane] = particle.y;
-        lanes.vx.lanes[lane] = particle.vx;
-        lanes.vy.lanes[lane] = particle.vy;
-        lanes.pressure.lanes[lane] = particle.pressure;
-        lanes.density.lanes[lane] = particle.density;
-        lanes.impact.lanes[lane] = particle.impact;
-    }
-    return lanes;
+/// The eight numbers of each particle of a cluster, turned: one number of all particles a pack.
+template <class State>
+WETDECK_INLINE void load_columns(const State* state, const Cluster& cluster, Pack (&columns)[pack_width]) {
+    static_assert(sizeof(State) == pack_width * sizeof(double) && alignof(State) == sizeof(State));
+    const double* rows[cluster_width];
+    for (std::uint32_t lane = 0; lane < cluster_width; ++lane)
+        rows[lane] = &state[cluster.first + std::min(lane, cluster.count - 1)].x;
+    transpose(rows, columns);
+}
+
+WETDECK_INLINE Lanes load(const FluidState* state, const Cluster& cluster) {
+    Pack c[pack_width];
+    load_columns(state, cluster, c);
+    return {c[0], c[1], c[2], c[3], c[4], c[6], c[7]};
 }
 
 WETDECK_INLINE void store(Pack values, double* out, const Cluster& cluster) {
+    if (cluster.count == cluster_width) {
+        std::memcpy(out + cluster.first, &values.lanes, sizeof values.lanes);
+        return;
+    }
     for (std::uint32_t lane = 0; lane < cluster.count; ++lane) out[cluster.first + lane] = values.lanes[lane];
 }
 
@@ -49,8 +55,7 @@ WETDECK_INLINE Separation separation(const Eight& i, double x, double y) {
     s.x = i.x - x;
     s.y = i.y - y;
     const Pack squared = s.x * s.x + (s.y * s.y + least_squared_distance);
-    s.inverse_distance = inverse_sqrt(squared);
-    s.distance = squared * s.inverse_distance;
+    square_roots(squared, s.distance, s.inverse_distance);
     return s;
 }
 
@@ -60,19 +65,9 @@ struct WallLanes {
 };
 
 WETDECK_INLINE WallLanes load(const PassInput& in, const Cluster& cluster) {
-    WallLanes w;
-    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
-        const WallState& particle = in.wall[cluster.first + std::min(lane, cluster.count - 1)];
-        w.x.lanes[lane] = particle.x;
-        w.y.lanes[lane] = particle.y;
-        w.vx.lanes[lane] = particle.vx;
-        w.vy.lanes[lane] = particle.vy;
-        w.nx.lanes[lane] = particle.nx;
-        w.ny.lanes[lane] = particle.ny;
-        w.drive_x.lanes[lane] = particle.ax - in.gravity.x();
-        w.drive_y.lanes[lane] = particle.ay - in.gravity.y();
-    }
-    return w;
+    Pack c[pack_width];
+    load_columns(in.wall, cluster, c);
+    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6] - in.gravity.x(), c[7] - in.gravity.y()};
 }
 
 struct VectorSum {

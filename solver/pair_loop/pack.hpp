@@ -66,12 +66,37 @@ WETDECK_INLINE Pack maximum(Pack a, Pack b) {
 WETDECK_INLINE Pack minimum(Pack a, Pack b) {
     return Pack::Lanes(_mm512_min_pd(__m512d(a.lanes), __m512d(b.lanes)));
 }
-/// 1/sqrt(x) for x > 0: the 14-bit estimate and two Newton steps.
-WETDECK_INLINE Pack inverse_sqrt(Pack x) {
-    Pack y = Pack::Lanes(_mm512_rsqrt14_pd(__m512d(x.lanes)));
-    const Pack half = 0.5 * x;
-    y = y * (1.5 - half * y * y);
-    return y * (1.5 - half * y * y);
+/// 1/sqrt(x) and sqrt(x) for x > 0, from a 14-bit estimate y: with e = 1 - x y^2 the series
+/// 1/sqrt(x) = y (1 + e/2 + 3 e^2/8 + 5 e^3/16) is exact to rounding.
+WETDECK_INLINE void square_roots(Pack x, Pack& root, Pack& inverse_root) {
+    const Pack estimate = Pack::Lanes(_mm512_rsqrt14_pd(__m512d(x.lanes)));
+    const Pack product = x * estimate;
+    const Pack error = 1.0 - product * estimate;
+    const Pack correction = error * (0.5 + error * (0.375 + error * 0.3125));
+    root = product + product * correction;
+    inverse_root = estimate + estimate * correction;
+}
+WETDECK_INLINE bool any(Pack::Mask m) {
+    return _mm512_movepi64_mask(__m512i(m.lanes)) != 0;
+}
+/// rows[k] holds eight numbers; columns[n] receives the n-th of each.
+WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
+    Pack::Lanes a[pack_width], b[pack_width];
+    for (int n = 0; n < pack_width; ++n) a[n] = Pack::Lanes(_mm512_load_pd(rows[n]));
+    for (int n = 0; n < pack_width; n += 2) {
+        b[n] = __builtin_shufflevector(a[n], a[n + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+        b[n + 1] = __builtin_shufflevector(a[n], a[n + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int n = 0; n < pack_width; ++n) {
+        const int low = n & ~2;
+        a[n] = (n & 2) != 0 ? __builtin_shufflevector(b[low], b[low + 2], 2, 3, 10, 11, 6, 7, 14, 15)
+                            : __builtin_shufflevector(b[low], b[low + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+    }
+    for (int n = 0; n < pack_width; ++n) {
+        const int low = n & ~4;
+        columns[n] = (n & 4) != 0 ? __builtin_shufflevector(a[low], a[low + 4], 4, 5, 6, 7, 12, 13, 14, 15)
+                                  : __builtin_shufflevector(a[low], a[low + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    }
 }
 #else
 WETDECK_INLINE Pack maximum(Pack a, Pack b) {
@@ -80,18 +105,20 @@ WETDECK_INLINE Pack maximum(Pack a, Pack b) {
 WETDECK_INLINE Pack minimum(Pack a, Pack b) {
     return a.lanes < b.lanes ? a.lanes : b.lanes;
 }
-WETDECK_INLINE Pack inverse_sqrt(Pack x) {
-    Pack root;
+WETDECK_INLINE void square_roots(Pack x, Pack& root, Pack& inverse_root) {
     for (int lane = 0; lane < pack_width; ++lane) root.lanes[lane] = std::sqrt(x.lanes[lane]);
-    return 1.0 / root;
+    inverse_root = 1.0 / root;
 }
-#endif
-
 WETDECK_INLINE bool any(Pack::Mask m) {
     long long bits = 0;
     for (int lane = 0; lane < pack_width; ++lane) bits |= m.lanes[lane];
     return bits != 0;
 }
+WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
+    for (int n = 0; n < pack_width; ++n)
+        for (int lane = 0; lane < pack_width; ++lane) columns[n].lanes[lane] = rows[lane][n];
+}
+#endif
 
 WETDECK_INLINE Pack positive_part(Pack a) {
     return maximum(a, 0.0);

@@ -31,6 +31,11 @@ struct Cluster {
     std::uint32_t wall_neighbours = 0;
 };
 
+/// Places of the particles of a cluster; the last one stands in for those that a smaller cluster lacks.
+struct ClusterPoints {
+    double x[cluster_width], y[cluster_width];
+};
+
 /// Coefficients of the formulas in physics/ for one ordered pair of phases.
 struct PairCoefficients {
     double weight_right = 0.5;       ///< of u_R in the velocity mean
@@ -89,9 +94,10 @@ struct PairLoops {
     void (*advance_density)(FluidState*, const double* rate, const double* mass, std::size_t first,
                             std::size_t last, double dt, const TaitEquationOfState&, const DensityBounds&,
                             int threads) = nullptr;
-    /// Appends to `out` the candidates within `reach` of any of the `count` points.
-    std::uint32_t (*filter_near)(const FluidState* cluster, std::uint32_t count, const double* candidate_x_y,
-                                 std::size_t stride, std::uint32_t begin, std::uint32_t end, double reach,
+    /// Writes to `out` which of the candidates [begin, end) are within `reach` of any of the points, and
+    /// returns how many. It may write one entry beyond them.
+    std::uint32_t (*filter_near)(const ClusterPoints& points, const double* candidate_x_y, std::size_t stride,
+                                 std::uint32_t begin, std::uint32_t end, double reach,
                                  std::uint32_t* out) = nullptr;
 };
 

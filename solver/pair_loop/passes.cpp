@@ -21,7 +21,7 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
                                 std::uint32_t count, const PairCoefficients& c, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
-    Pack sum = 0.0;
+    Pack sum = 0.0, cover = 0.0;
     for (std::uint32_t n = 0; n < count; ++n) {
         const FluidState& j = in.fluid[neighbours[n]];
         const Separation s = separation(i, j.x, j.y);
@@ -39,9 +39,10 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
             deficit = velocity_deficit(closing, jump * s.distance, c.weight_right, c.mobility);
         }
         sum += j.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * deficit;
-        if constexpr (covered) sums.cover += j.volume * WendlandC2::bell(s.distance, inverse_h);
+        if constexpr (covered) cover += j.volume * WendlandC2::bell(s.distance, inverse_h);
     }
     sums.rate += sum;
+    if constexpr (covered) sums.cover += cover;
 }
 
 /// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump;
@@ -89,7 +90,7 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
 
 template <bool harmonic, bool hydrostatic, bool mirrored, bool covered>
 WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cluster) {
-    const Lanes i = load(in.fluid, cluster.first, cluster.count);
+    const Lanes i = load(in.fluid, cluster);
     const auto& coefficients = in.pair[static_cast<std::size_t>(cluster.phase)];
     const std::uint32_t* neighbours = cluster.neighbours;
     DensitySums sums;
@@ -98,7 +99,8 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
         density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, coefficients[phase], sums);
         neighbours += count;
     }
-    wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, sums);
+    if (cluster.wall_neighbours > 0)
+        wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, sums);
     store(2 * in.kernel.slope_factor() * i.density * sums.rate, in.density_rate, cluster);
     if constexpr (covered) store(in.kernel.normalisation() * sums.cover, in.cover, cluster);
 }
@@ -125,6 +127,7 @@ template <bool harmonic, bool dissipative, bool viscous, bool switched>
 WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
                                  std::uint32_t count, const PairCoefficients& c, VectorSum& sum) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
+    VectorSum fluid;
     for (std::uint32_t n = 0; n < count; ++n) {
         const FluidState& j = in.fluid[neighbours[n]];
         const Separation s = separation(i, j.x, j.y);
@@ -146,9 +149,11 @@ WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std:
             }
         }
         const Pack weight = j.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * p_star;
-        sum.x += weight * s.x;
-        sum.y += weight * s.y;
+        fluid.x += weight * s.x;
+        fluid.y += weight * s.y;
     }
+    sum.x += fluid.x;
+    sum.y += fluid.y;
 }
 
 template <bool no_slip, bool shepard>
@@ -178,7 +183,7 @@ void accelerations(const PassInput& in) {
     for (std::int64_t n = 0; n < cluster_count; ++n) {
         const Cluster& cluster = (*in.clusters)[static_cast<std::size_t>(n)];
         const auto phase_i = static_cast<std::size_t>(cluster.phase);
-        const Lanes i = load(in.fluid, cluster.first, cluster.count);
+        const Lanes i = load(in.fluid, cluster);
         const std::uint32_t* neighbours = cluster.neighbours;
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
@@ -187,9 +192,12 @@ void accelerations(const PassInput& in) {
                                                                    in.pair[phase_i][phase], sum);
             neighbours += count;
         }
-        const bool shepard = in.wall_pressure_mean[phase_i];
-        const auto wall_sum = shepard ? wall_momentum_sum<no_slip, true> : wall_momentum_sum<no_slip, false>;
-        wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], sum);
+        if (cluster.wall_neighbours > 0) {
+            const bool shepard = in.wall_pressure_mean[phase_i];
+            const auto wall_sum =
+                shepard ? wall_momentum_sum<no_slip, true> : wall_momentum_sum<no_slip, false>;
+            wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], sum);
+        }
         const Pack factor = 2 * in.kernel.slope_factor() / i.density;
         store(factor * sum.x + in.gravity.x(), in.acceleration_x, cluster);
         store(factor * sum.y + in.gravity.y(), in.acceleration_y, cluster);
@@ -245,16 +253,17 @@ void advance_density(FluidState* state, const double* rate, const double* mass, 
 
 // --- neighbour list
 
-std::uint32_t filter_near(const FluidState* cluster, std::uint32_t count, const double* candidates,
-                          std::size_t stride, std::uint32_t begin, std::uint32_t end, double reach,
-                          std::uint32_t* out) {
-    const Lanes i = load(cluster, 0, count);
+std::uint32_t filter_near(const ClusterPoints& points, const double* candidates, std::size_t stride,
+                          std::uint32_t begin, std::uint32_t end, double reach, std::uint32_t* out) {
+    Pack px, py;
+    std::memcpy(&px.lanes, points.x, sizeof px.lanes);
+    std::memcpy(&py.lanes, points.y, sizeof py.lanes);
     const Pack reach2 = reach * reach;
     std::uint32_t found = 0;
     for (std::uint32_t candidate = begin; candidate < end; ++candidate) {
         const double* position = candidates + candidate * stride;
-        const Pack x = i.x - position[0];
-        const Pack y = i.y - position[1];
+        const Pack x = px - position[0];
+        const Pack y = py - position[1];
         out[found] = candidate;
         found += any(x * x + y * y < reach2) ? 1 : 0;
     }

@@ -25,9 +25,10 @@ struct DissipationLimiter {
 /// D [Pa]
 template <class Real, class Limiter>
 Real riemann_dissipation(Real velocity_jump, const Limiter& limiter) {
-    const Real beta =
-        minimum(maximum(limiter.slope_over_speed * velocity_jump, Real(limiter.floor)), Real(1.0));
-    return limiter.half_impedance * beta * velocity_jump;
+    const auto full = limiter.half_impedance;  // Z/2 beta is clamped as a whole: one product less a pair
+    const Real half_impedance_beta = minimum(
+        maximum(full * limiter.slope_over_speed * velocity_jump, Real(full * limiter.floor)), Real(full));
+    return half_impedance_beta * velocity_jump;
 }
 
 }  // namespace wetdeck

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "solver/core/scalar_math.hpp"
+
 namespace wetdeck {
 
 /// Pressure from density and back.
@@ -44,7 +46,8 @@ inline double equal_coefficient_sound_speed(const TaitEquationOfState& first, do
 }
 
 /// x^gamma for the two exponents in use, by multiplications alone: gamma = 7 (water) and 7/5 (air). The fifth
-/// root is found by Newton's method from an approximant about 1; six steps reach rounding for 0.2 < x < 4.
+/// root is found by Halley's method from 1, its first step written out; one or two more reach rounding near
+/// 1, four for 0.2 < x < 5.
 template <class Real>
 Real power_seven(Real x) {
     const Real x2 = x * x;
@@ -54,10 +57,14 @@ Real power_seven(Real x) {
 template <class Real>
 Real power_seven_fifths(Real x) {
     const Real square = x * x;
-    Real root = (0.8 + 1.2 * square) / (1.2 + 0.8 * square);  // Pade's approximant of the fifth root
-    for (int step = 0; step < 6; ++step) {
+    Real root = (2.0 + 3.0 * square) / (3.0 + 2.0 * square);
+    for (int step = 1; step < 5; ++step) {
         const Real root2 = root * root;
-        root = 0.8 * root + 0.2 * (square / (root2 * root2));
+        const Real fifth = root2 * root2 * root;
+        const Real miss = square - fifth;
+        root = root + root * miss / (3.0 * fifth + 2.0 * square);
+        if (!any(maximum(miss, -miss) > 1e-5 * square))
+            break;  // a cubically convergent step has reached rounding
     }
     return x * root;
 }
