@@ -66,9 +66,13 @@ std::vector<Cell> run_cells(const RunRecord& record) {
     return {markup(escape(record.variant), "name"), value(record.particle_spacing, "m", 4)};
 }
 
-std::string pace_table(const Runs& runs) {
-    Table table({"variant", "dx", "steps", "particle-steps", "particle-steps/s", "bytes per particle",
-                 "step limited by"});
+/// @param source_run  if known, how many times more particle-steps it took is shown for each run
+std::string pace_table(const Runs& runs, const std::optional<SourceRun>& source_run) {
+    std::vector<std::string> headers{
+        "variant",        "dx", "steps", "particle-steps", "particle-steps/s", "bytes per particle",
+        "step limited by"};
+    if (source_run) headers.push_back("source / this run");
+    Table table(headers);
     for (const RunSummary* run : runs) {
         const RunRecord& record = run->record;
         std::vector<Cell> row = run_cells(record);
@@ -77,9 +81,16 @@ std::string pace_table(const Runs& runs) {
         row.push_back(value(particle_rate(record.cost)));
         row.push_back(value(parameter(record, "bytes_per_particle")));
         row.push_back(text(limiting_text(record.cost)));
+        if (source_run)
+            row.push_back(value(source_run->particles * source_run->steps / record.cost.particle_steps));
         table.add(row);
     }
-    return table.html();
+    if (!source_run) return table.html();
+    return table.html() +
+           paragraph(fmt::format(
+               "The source's own computation takes {} particles times {} steps = {} particle-steps: {}.",
+               number(source_run->particles), number(source_run->steps),
+               number(source_run->particles * source_run->steps), escape(source_run->conditions)));
 }
 
 std::string stage_table(const Runs& runs) {
@@ -111,8 +122,8 @@ std::optional<double> particle_rate(const RunCost& cost) {
     return cost.wall_s > 0 ? std::optional(cost.particle_steps / cost.wall_s) : std::nullopt;
 }
 
-std::string cost_table(const Runs& runs) {
-    return pace_table(runs) + stage_table(runs) +
+std::string cost_table(const Runs& runs, const AnalysisSpec& scene) {
+    return pace_table(runs, scene.source_run) + stage_table(runs) +
            paragraph(
                "Particle-steps: fluid particles times steps. Seconds per stage are wall time of the time "
                "loop; what is not in them is set-up.",

@@ -39,7 +39,7 @@ std::string agreement_table(const Runs& runs);
 std::string validation_table(const Summary& summary, const AnalysisSpec& scene);
 std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene);
 std::string ablation_table(const Summary& summary, const AnalysisSpec& scene);
-std::string cost_table(const Runs& runs);
+std::string cost_table(const Runs& runs, const AnalysisSpec& scene);
 std::string provenance_table(const Runs& runs);
 std::string references_table(const Runs& runs);
 /// Pressures of other codes, and of the finest run, against each measured pressure. Empty without either.

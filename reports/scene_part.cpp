@@ -120,7 +120,7 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     add_by_variant(page, runs, energy_figures);
 
     page.section(3, "Cost", scene.scene);
-    page.add(cost_table(runs));
+    page.add(cost_table(runs, scene));
     add_pictures(page, runs, inputs);
 
     page.section(3, "Limits of validity", scene.scene);

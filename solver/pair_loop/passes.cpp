@@ -53,8 +53,9 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
                       std::uint32_t count, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     Pack sum = 0.0, stretching = 0.0, cover = 0.0;
-    Pack nearest =
-        1 / inverse_h;  // height above the first layer of dummy particles, half a spacing behind the face
+    // height above the first layer of dummy particles, half a spacing behind the face
+    Pack nearest = in.kernel.smoothing_length;
+    const double lowest_height = -0.5 * in.particle_spacing;
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
         const Separation s = separation(i, w.x, w.y);
@@ -69,9 +70,11 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         const Pack height = s.x * w.nx + s.y * w.ny;
         sum += weight * closing * height;
         if constexpr (mirrored || covered) {
-            // only what lies beneath the particle is near, not the side of an edge that it passes
+            // only what lies beneath the particle is near, neither the side of an edge that it passes nor the
+            // other face of a thin body
             const Pack along = s.y * w.nx - s.x * w.ny;
-            nearest = select(height * height < along * along, nearest, minimum(nearest, height));
+            const Pack::Mask beside = (height * height < along * along) | (height < lowest_height);
+            nearest = select(beside, nearest, minimum(nearest, height));
             if constexpr (mirrored) {
                 const WallMean& mean = in.wall_mean[neighbours[n]];
                 const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;

@@ -31,11 +31,12 @@ struct TaitEquationOfState {
                std::pow((pressure - background_pressure) / coefficient() + 1, 1 / exponent);
     }
 
-    /// Elastic energy per mass against the reference state [J/kg]: integral of (p - p0)/rho^2 d(rho).
-    double compression_energy(double density) const {
-        const double ratio = density / reference_density;
-        const double b = coefficient() / reference_density;
-        return b * ((std::pow(ratio, exponent - 1) - 1) / (exponent - 1) + 1 / ratio - 1);
+    /// Elastic energy per mass against the reference state [J/kg]: integral of (p - p0)/rho^2 d(rho), from a
+    /// density and its pressure, which holds the power already.
+    double compression_energy(double density, double pressure) const {
+        const double volume = reference_density / density;
+        const double power = (pressure - background_pressure) / coefficient() + 1;
+        return coefficient() / reference_density * ((power * volume - 1) / (exponent - 1) + volume - 1);
     }
 };
 

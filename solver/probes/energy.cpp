@@ -19,7 +19,7 @@ Balance balance(const Simulation& simulation) {
         const TaitEquationOfState& eos = water ? model.water.eos : model.air.eos;
         sum.kinetic += 0.5 * m * (p.vx * p.vx + p.vy * p.vy);
         sum.potential -= m * (model.gravity.x() * p.x + model.gravity.y() * p.y);
-        sum.compression += m * eos.compression_energy(p.density);
+        sum.compression += m * eos.compression_energy(p.density, p.pressure);
         sum.momentum += m * p.velocity();
         sum.mass += m;
         if (water) {

@@ -82,6 +82,13 @@ struct SensitivitySpec {
     std::string source;      ///< who says so
 };
 
+/// What the source's own computation took: the other end of the speed-against-error comparison.
+struct SourceRun {
+    double particles = 0;
+    double steps = 0;
+    std::string conditions;  ///< its spacing, its step, its time, and where they are stated
+};
+
 /// The part of a scene that analysis and report need.
 struct AnalysisSpec {
     std::string scene;
@@ -94,6 +101,7 @@ struct AnalysisSpec {
     std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
     std::vector<std::string> limits;  ///< statements of what was not shown
+    std::optional<SourceRun> source_run;
     std::string error_quantity;       ///< the quantity whose value is the error of the speed-error diagram
     std::string default_variant;
     std::filesystem::path folder;  ///< of the scene file: its own curves come before those of the program

@@ -170,6 +170,12 @@ void read_analysis(const TomlTable& root, Scene& scene) {
         table.finish();
         analysis.sensitivities.push_back(spec);
     }
+    if (const auto table = root.optional_table("source_run")) {
+        const double duration = table->positive("duration");
+        analysis.source_run = {table->positive("particles"), duration / table->positive("time_step"),
+                               table->text("conditions")};
+        table->finish();
+    }
     analysis.limits = root.texts("limits");
     analysis.error_quantity = root.text_or("error_quantity", "");
     if (!analysis.error_quantity.empty() && !names.count(analysis.error_quantity)) {

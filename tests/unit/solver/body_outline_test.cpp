@@ -125,6 +125,20 @@ TEST_CASE("A body thinner than the support is refused at that spacing and taken 
     CHECK_NOTHROW(particles_of(hull, 0.004));
 }
 
+TEST_CASE("A wall of just three spacings under a deck is not hollow", "[outline]") {
+    const Vec2 shift = GENERATE(Vec2(0, 0), Vec2(0.508, 0.570566), Vec2(-0.3, 1e3));
+    Outline hull = {{0, 0}, {0.012, 0}, {0.012, 0.1}, {0.2, 0.1}, {0.2, 0.2}, {0, 0.2}};
+    for (Vec2& corner : hull) corner += shift;
+    const double spacing = 0.004;
+    const WallParticles walls = particles_of(hull, spacing);
+    for (double y = 0.02; y < 0.08; y += 0.0007) {
+        double nearest = 1;
+        for (std::size_t k = 0; k < walls.size(); ++k)
+            nearest = std::min(nearest, (place(walls, k) - shift - Vec2(0.006, y)).norm());
+        CHECK(nearest < 0.6 * spacing);
+    }
+}
+
 TEST_CASE("The fluid makes room for a body and keeps its phases in order", "[outline]") {
     FluidParticles fluid;
     for (int k = 0; k < 20; ++k) fluid.add(Phase::water, {(k + 0.5) * dx, 0.005}, 0.1, 1000);
