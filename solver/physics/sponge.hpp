@@ -3,9 +3,10 @@
 // density and velocity are multiplied by
 //     1 - 0.9^(50 l/s),
 // l the distance to the nearest wall: 0 at the wall, 0.995 where the layer begins. Sound that enters slows
-// down; what comes back has not been measured. The factor 50 is read from a damaged equation. A layer is
-// needed only where sound can return within the time simulated; a tank large enough for that time does the
-// same without changing the equations.
+// down and all of it comes back (98 to 99.8 % of a pulse, `wetdeck verify --only sponge_layer`): the layer
+// delays and absorbs nothing. The factor 50 is read from a damaged equation. A layer is needed only where
+// sound can return within the time simulated; a slightly larger tank does the same without changing the
+// equations.
 #pragma once
 
 #include <algorithm>

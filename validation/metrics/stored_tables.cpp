@@ -4,11 +4,11 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
+#include "validation/metrics/json_numbers.hpp"
 #include "validation/store/atomic_write.hpp"
 
 namespace wetdeck {
@@ -16,10 +16,6 @@ namespace {
 
 using nlohmann::json;
 namespace fs = std::filesystem;
-
-json number(std::optional<double> value) {
-    return value && std::isfinite(*value) ? json(*value) : json(nullptr);
-}
 
 std::optional<double> optional_number(const json& row, const char* key) {
     return row.at(key).is_null() ? std::nullopt : std::optional(row.at(key).get<double>());

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "validation/metrics/json_numbers.hpp"
 #include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/verification_json.hpp"
 
@@ -14,17 +15,6 @@ namespace wetdeck {
 namespace {
 
 using nlohmann::json;
-
-json number(std::optional<double> value) {
-    if (!value || !std::isfinite(*value)) return nullptr;
-    return *value;
-}
-
-json numbers(const std::vector<double>& values) {
-    json list = json::array();
-    for (const double value : values) list.push_back(number(value));
-    return list;
-}
 
 json flag(std::optional<bool> value) {
     return value ? json(*value) : json(nullptr);

@@ -7,22 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
+#include "validation/metrics/json_numbers.hpp"
 
 namespace wetdeck {
 namespace {
 
 using nlohmann::json;
-
-json number(std::optional<double> value) {
-    if (!value || !std::isfinite(*value)) return nullptr;
-    return *value;
-}
-
-json numbers(const std::vector<double>& values) {
-    json list = json::array();
-    for (const double value : values) list.push_back(number(value));
-    return list;
-}
 
 std::vector<double> read_numbers(const json& list) {
     std::vector<double> values;

@@ -12,6 +12,7 @@ namespace wetdeck::verification {
 Problem kernel_moments();
 Problem riemann_problem();
 Problem acoustic_pulse();
+Problem sponge_layer();
 Problem hydrostatic_tank();
 Problem gravity_wave();
 Problem taylor_green();
