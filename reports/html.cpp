@@ -222,4 +222,9 @@ std::string details(std::string_view summary, const std::string& html, bool open
                        escape(summary), html);
 }
 
+std::string source_text(std::string_view summary, std::string_view text) {
+    return fmt::format("<details class=\"source\"><summary>{}</summary><pre>{}</pre></details>\n",
+                       escape(summary), escape(text));
+}
+
 }  // namespace wetdeck::report

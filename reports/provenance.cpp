@@ -62,7 +62,12 @@ std::string provenance_table(const Runs& runs) {
             const bool all = names.size() == runs.size();
             std::string list = all ? "all" : "";
             for (std::size_t i = 0; !all && i < names.size(); ++i) list += (i == 0 ? "" : ", ") + names[i];
-            table.add({markup(escape(key), "name"), text(content), text(list)});
+            constexpr std::size_t longest = 400;
+            const Cell cell =
+                content.size() < longest
+                    ? text(content)
+                    : markup(source_text(fmt::format("{} characters", content.size()), content));
+            table.add({markup(escape(key), "name"), cell, text(list)});
         }
     }
     return table.empty() ? paragraph("Nothing recorded.", "soft") : table.html();

@@ -80,7 +80,7 @@ void add_provenance(Page& page, const Runs& runs) {
         page.add(details("Resolved numbers of " + run_name(*finest_of_each(runs).front()), table.html()));
     }
     if (!record.scene_text.empty()) {
-        page.add(details("Scene file as it was read", "<pre>" + escape(record.scene_text) + "</pre>\n"));
+        page.add(source_text("Scene file as it was read", record.scene_text));
     }
 }
 

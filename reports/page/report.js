@@ -36,7 +36,7 @@
   document.querySelectorAll('.player').forEach(play);
 
   window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details').forEach((box) => { box.open = true; });
+    document.querySelectorAll('details:not(.source)').forEach((box) => { box.open = true; });
   });
 
   if (!window.Plotly) return;
