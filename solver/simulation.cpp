@@ -15,8 +15,9 @@
 namespace wetdeck {
 namespace {
 
-/// Densities outside this share of their reference end a run: the state is no fluid any more.
-constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 5;
+/// Densities outside this share of their reference end a run: the state is no fluid any more. Single air
+/// particles caught between a plate and water are squeezed to five times theirs before they escape.
+constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 10;
 
 bool needs_wall_means(const Model& model) {
     return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;

@@ -55,7 +55,7 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
     Pack sum = 0.0, stretching = 0.0, cover = 0.0;
     // height above the first layer of dummy particles, half a spacing behind the face
     Pack nearest = in.kernel.smoothing_length;
-    const double lowest_height = -0.5 * in.particle_spacing;
+    const double deepest = -1.5 * in.particle_spacing, beneath = 0.6 * in.particle_spacing;
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
         const Separation s = separation(i, w.x, w.y);
@@ -70,11 +70,11 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         const Pack height = s.x * w.nx + s.y * w.ny;
         sum += weight * closing * height;
         if constexpr (mirrored || covered) {
-            // only what lies beneath the particle is near, neither the side of an edge that it passes nor the
-            // other face of a thin body
+            // Only what lies beneath the particle is near: neither the side of an edge that it passes nor the
+            // other face of a thin body.
             const Pack along = s.y * w.nx - s.x * w.ny;
-            const Pack::Mask beside = (height * height < along * along) | (height < lowest_height);
-            nearest = select(beside, nearest, minimum(nearest, height));
+            const Pack::Mask elsewhere = (along * along > beneath * beneath) | (height < deepest);
+            nearest = select(elsewhere, nearest, minimum(nearest, height));
             if constexpr (mirrored) {
                 const WallMean& mean = in.wall_mean[neighbours[n]];
                 const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
@@ -86,8 +86,10 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
     if constexpr (mirrored) sum = sum - 0.5 * stretching_share(distance) * stretching;
     sums.rate += in.wall_volume * sum;
     if constexpr (covered) {
-        const double touching = touching_cover / in.kernel.normalisation();
-        sums.cover += select(distance < touching_distance, Pack(touching), in.wall_volume * cover);
+        const double inverse_norm = 1 / in.kernel.normalisation();
+        const Pack overlap = touching_distance - distance;
+        sums.cover +=
+            select(overlap > 0.0, inverse_norm * (touching_cover + overlap), in.wall_volume * cover);
     }
 }
 
