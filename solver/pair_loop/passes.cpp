@@ -87,9 +87,8 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
     sums.rate += in.wall_volume * sum;
     if constexpr (covered) {
         const double inverse_norm = 1 / in.kernel.normalisation();
-        const Pack overlap = touching_distance - distance;
-        sums.cover +=
-            select(overlap > 0.0, inverse_norm * (touching_cover + overlap), in.wall_volume * cover);
+        const Pack touching = inverse_norm * (touching_cover + positive_part(-distance));
+        sums.cover = select(distance < touching_distance, touching, sums.cover + in.wall_volume * cover);
     }
 }
 

@@ -13,12 +13,11 @@
 // rho_open is what the weight of one spacing of water gives: a surface at rest keeps its pressure.
 //
 // Below: water without air bears no tension, and what flies apart must not remember it: rho_lowest = rho_0.
-// What is closer to a face than it may be is compressed by that alone,
-//     rho_i >= rho_0 (1 + overlap / 10),
-// overlap in spacings: at a tenth of the speed of sound water stops within a third of a spacing. The
-// continuity equation does not see a particle that drifts into a wall with nothing behind it: what it gains
-// from the mirrored wall ahead it loses behind. Such a particle was inside the sinking rectangle after half a
-// second.
+// What touches a face is not under tension, and what is behind it is compressed by that alone,
+//     rho_i >= rho_0 (1 + depth / 10),
+// depth in spacings: at a tenth of the speed of sound water stops within a third of one. The continuity
+// equation does not see a particle that drifts into a wall with nothing behind it: what it gains from the
+// mirrored wall ahead it loses behind. Such a particle was inside the sinking rectangle after half a second.
 #pragma once
 
 #include "solver/core/scalar_math.hpp"
@@ -32,9 +31,9 @@ inline constexpr double touching_distance = 0.25, touching_cover = 10;
 /// Of the upper bound beyond a full cover: impacts compress water by a tenth, and leave its cover as it is.
 inline constexpr double steepness = 10;
 
-/// Compression per spacing of overlap with a wall. A touching particle's cover is touching_cover plus its
-/// overlap; that of all others is so much less that this bound is below every density.
-inline constexpr double overlap_compression = 0.1;
+/// Compression per spacing of depth behind a face. A touching particle's cover is touching_cover plus that
+/// depth; the cover of all others is so much less that this bound is below every density.
+inline constexpr double compression_per_depth = 0.1;
 
 /// The bounds of one pass over the water.
 struct DensityBounds {
@@ -49,9 +48,9 @@ struct DensityBounds {
         const Real highest =
             maximum(Real(open), reference_density * (1.0 + steepness * (particle_cover - full_cover)));
         if (!cover) return maximum(density, Real(lowest));
-        const Real overlapping =
-            reference_density * (1.0 + overlap_compression * (particle_cover - touching_cover));
-        return maximum(minimum(density, highest), maximum(overlapping, Real(lowest)));
+        const Real pushed_back =
+            reference_density * (1.0 + compression_per_depth * (particle_cover - touching_cover));
+        return maximum(minimum(density, highest), maximum(pushed_back, Real(lowest)));
     }
 };
 

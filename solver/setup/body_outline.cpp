@@ -205,8 +205,9 @@ void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline&
     for (int layer = 0; layer < layers; ++layer) {
         const std::size_t before = all.size();
         // a hair less deep, so that a body of a whole number of layers keeps its middle one
-        // A little less deep, so that a part of a whole number of layers keeps its middle one: what is left of it
-        // must be wider than the rounding of the offset, which drops slivers and would leave the part hollow.
+        // A little less deep, so that a part of a whole number of layers keeps its middle one: what is left
+        // of it must be wider than the rounding of the offset, which drops slivers and would leave the part
+        // hollow.
         const double depth = (layer + 0.5) * particle_spacing * (1 - 1e-4);
         for (const Polygon& part : offset(polygon, -depth)) {
             const std::vector<Vec2> ring = distinct_points(part.outer(), tolerance);

@@ -156,7 +156,7 @@ WallMean shepard_mean(const WallState& wall, const FluidParticles& fluid, const 
 struct WallSums {
     double compression = 0;  ///< SUM V F (v - v_w) . e of the reversed velocity [1/s]
     Vec2 push = Vec2::Zero();
-    bool touching = false;  ///< the face is nearer than particles rest
+    double distance = 0;  ///< from the nearest face, in spacings
 };
 
 WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticles& walls, const Rates& rates,
@@ -179,8 +179,9 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         if (in_front) {
             stretching += slope * (p.velocity() - Vec2(rates.wall[w].vx, rates.wall[w].vy)).dot(t) * t.dot(e);
         }
-        if (!edge && std::abs(offset.dot(n)) >= std::abs(offset.dot(t)))
-            nearest = std::min(nearest, offset.dot(n));
+        const bool beneath =
+            std::abs(offset.dot(t)) <= 0.6 * particle_spacing && offset.dot(n) >= -1.5 * particle_spacing;
+        if (!edge && beneath) nearest = std::min(nearest, offset.dot(n));
 
         const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
                                                     wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
@@ -198,9 +199,9 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         }
         sums.push -= slope * p_star * e;
     }
-    sums.touching = nearest / particle_spacing - 0.5 < touching_distance;
+    sums.distance = nearest / particle_spacing - 0.5;
     if (model.wall_velocity == WallVelocity::mirrored && fluid.phase(i) == Phase::water) {
-        sums.compression += 0.5 * stretching_share(nearest / particle_spacing - 0.5) * stretching;
+        sums.compression += 0.5 * stretching_share(sums.distance) * stretching;
     }
     return sums;
 }
@@ -222,12 +223,12 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
             sums.push -= slope * pair.p_star(kernel.smoothing_length) * pair.e();
         }
         const Vec2 here = fluid.state[i].position();
-        double cover = sums.touching ? touching_cover : 0;
+        double cover = 0;
         for (const FluidState& p : fluid.state)
             cover += p.volume * kernel.value((here - p.position()).norm());
         for (const WallState& w : walls.state)
-            if (!sums.touching)
-                cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
+            cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
+        if (sums.distance < touching_distance) cover = touching_cover + std::max(0.0, -sums.distance);
         rates.cover.push_back(cover);
         const double density = fluid.state[i].density;
         rates.density.push_back(2 * density * sums.compression);
