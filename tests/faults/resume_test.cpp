@@ -124,7 +124,7 @@ TEST_CASE("SIGTERM and SIGINT stop a run with a checkpoint, from which it ends w
 }
 
 TEST_CASE("runs killed at random moments end with the same bits", "[faults]") {
-    const int attempts = std::getenv("WETDECK_LONG_TESTS") != nullptr ? 50 : 3;
+    const int attempts = std::getenv("WETDECK_LONG_TESTS") != nullptr ? 50 : 5;
     const ScratchFolder folder, logs;
     const std::string scene = put_long_scene(folder);
     const auto start = std::chrono::steady_clock::now();
