@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -40,12 +41,15 @@ std::uint64_t checksum_of(std::string_view bytes) {
 void limit_child(const std::filesystem::path& file) {
     std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-    constexpr rlim_t least_s = 2, bytes_per_s = 1 << 22;  // sound files take a hundredth of that
-    const rlim_t seconds = least_s + (ignored ? 0 : static_cast<rlim_t>(size) / bytes_per_s);
-    const rlimit time{seconds, seconds}, core{0, 0};
-    ::setrlimit(RLIMIT_CPU, &time);
+    constexpr double least_s = 0.5, bytes_per_s = 1 << 23;  // sound files take a tenth of that at most
+    const double seconds = least_s + (ignored ? 0 : static_cast<double>(size) / bytes_per_s);
+    const auto whole = static_cast<time_t>(seconds);
+    const auto rest = static_cast<suseconds_t>(1e6 * (seconds - static_cast<double>(whole)));
+    const itimerval time{{0, 0}, {whole, rest}};
+    const rlimit core{0, 0};
+    ::setitimer(ITIMER_PROF, &time, nullptr);
     ::setrlimit(RLIMIT_CORE, &core);
-    for (const int signal : {SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    for (const int signal : {SIGPROF, SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
         ::signal(signal, SIG_DFL);
     const int nowhere = ::open("/dev/null", O_WRONLY);  // for the last words of a crash
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
@@ -85,7 +89,7 @@ void rehearse(const std::filesystem::path& file, const std::function<void()>& re
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     if (status == 0) return;
-    const bool endless = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+    const bool endless = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
     throw DataError(file.string() + ": damaged, HDF5 " + (endless ? "does not come to an end" : "crashes") +
                     " on it");
 }
