@@ -84,7 +84,7 @@ TEST_CASE("a run killed while it writes its live series leaves rows without gaps
             ++read;
         } catch (const DataError&) {  // killed inside a flush
         }
-        REQUIRE_NOTHROW(LiveSeries(folder, columns, 8, 10.0));  // the next run can go on either way
+        REQUIRE_NOTHROW(LiveSeries(folder, columns, 8));  // the next run can go on either way
     }
     REQUIRE(read > 0);
 }

@@ -44,6 +44,15 @@ TEST_CASE("the program refuses malformed scene files in one line", "[faults]") {
     }
 }
 
+TEST_CASE("names that hold line breaks and control characters are refused in one line", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene =
+        put_scene(folder, samples::with("schema = 1\n", "schema = 1\n\"a\\nb\\u001b[2J\" = 1\n"));
+    expect_refusal({"check", scene}, "key 'a b [2J': unknown");
+    expect_refusal({"describe", "dam\nbreak"}, "no scene 'dam break'");
+    expect_refusal({"suite", "--tier", "a\nb"}, "a b");
+}
+
 TEST_CASE("the program refuses an unknown key given by --set", "[faults]") {
     const ScratchFolder folder;
     expect_refusal({"run", "dam_break", "--set", "model.ar=false", "--out", folder / "run"},

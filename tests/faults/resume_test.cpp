@@ -29,6 +29,22 @@ std::string put_long_scene(const ScratchFolder& folder) {
                                                "frames = [0.05, 0.1]", "frame_interval = 0.1"));
 }
 
+/// The same, and a block that falls into the water.
+std::string put_long_scene_with_body(const ScratchFolder& folder) {
+    const std::string scene = samples::bytes_of(put_long_scene(folder));
+    samples::put_bytes(folder / "body.toml", samples::replaced(scene, "[model]\n", R"toml([body]
+outline = [[-0.08, -0.06], [0.08, -0.06], [0.08, 0.06], [-0.08, 0.06]]
+place = [0.2, 0.3]
+free = ["x", "y", "rotation"]
+velocity_y = -1.0
+mass = 15.0
+inertia = 0.05
+
+[model]
+)toml"));
+    return folder / "body.toml";
+}
+
 std::vector<std::string> run_into(const std::string& scene, const std::filesystem::path& directory) {
     return {"run",
             scene,
@@ -124,33 +140,41 @@ TEST_CASE("SIGTERM and SIGINT stop a run with a checkpoint, from which it ends w
 }
 
 TEST_CASE("runs killed at random moments end with the same bits", "[faults]") {
-    const int attempts = std::getenv("WETDECK_LONG_TESTS") != nullptr ? 50 : 3;
+    const int attempts = std::getenv("WETDECK_LONG_TESTS") != nullptr ? 50 : 5;
     const ScratchFolder folder, logs;
-    const std::string scene = put_long_scene(folder);
-    const auto start = std::chrono::steady_clock::now();
-    REQUIRE(run_program(run_into(scene, folder / "whole")).code == 0);
-    const std::chrono::duration<double> whole = std::chrono::steady_clock::now() - start;
+    const std::string scenes[] = {put_long_scene(folder), put_long_scene_with_body(folder)};
+    const std::filesystem::path whole[] = {folder / "whole", folder / "whole_with_body"};
+    std::chrono::duration<double> duration[2];
+    for (const int n : {0, 1}) {
+        const auto start = std::chrono::steady_clock::now();
+        REQUIRE(run_program(run_into(scenes[n], whole[n])).code == 0);
+        duration[n] = std::chrono::steady_clock::now() - start;
+    }
     std::mt19937_64 random(1);
-    int resumed = 0;
+    int resumed = 0, finished = 0;
     for (int attempt = 0; attempt < attempts; ++attempt) {
+        const int n = attempt % 2;
         const auto killed = folder / ("killed_" + std::to_string(attempt));
         {
-            Program program(run_into(scene, killed), logs);
-            std::this_thread::sleep_for(whole * std::uniform_real_distribution<>(0.02, 1)(random));
+            Program program(run_into(scenes[n], killed), logs);
+            std::this_thread::sleep_for(duration[n] * std::uniform_real_distribution<>(0.02, 1)(random));
             program.kill_all();
         }
         // the same command starts it again where the kill came before the first checkpoint
-        const Outcome outcome = run_program(run_into(scene, killed));
+        const Outcome outcome = run_program(run_into(scenes[n], killed));
         if (outcome.code == 2) {
             REQUIRE_THAT(outcome.err, Contains("holds a finished run"));
+            ++finished;
         } else {
             INFO(outcome.err);
             REQUIRE(outcome.code == 0);
             resumed += outcome.out.find("going on from") != std::string::npos;
         }
-        require_same_run(folder / "whole", killed);
+        require_same_run(whole[n], killed);
         std::filesystem::remove_all(killed);
     }
+    WARN(attempts << " kills, " << resumed << " runs gone on with from a checkpoint, " << finished
+                  << " finished before, the rest begun again");
     REQUIRE(resumed > 0);
 }
 

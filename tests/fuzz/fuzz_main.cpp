@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer's entry for the target that WETDECK_FUZZ_TARGET names.
+#include <pthread.h>
+#include <sanitizer/common_interface_defs.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -7,6 +10,9 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const auto target = wetdeck::fuzz::targets().at(WETDECK_FUZZ_TARGET);
+    // What becomes of a child in which a reader is tried is for its parent to tell.
+    [[maybe_unused]] static const int registered =
+        ::pthread_atfork(nullptr, nullptr, [] { __sanitizer_set_death_callback(nullptr); });
     target({reinterpret_cast<const char*>(data), size});
     return 0;
 }

@@ -34,7 +34,7 @@ using std::numbers::pi;
 
 // Ranges in log r and log(tau/(1 - tau)): what is cut off is below 1e-8 of the integrals from 8 to 70
 // degrees.
-constexpr double surface_begin = -45, surface_end = 25, face_begin = -45, face_end = 105, step = 0.1;
+constexpr double surface_begin = -45, surface_end = 25, face_begin = -45, step = 0.1;
 constexpr Index surface_nodes = 701, face_nodes = 1501;
 constexpr double equation_error = 1e-11;  // of log g; at this step the discretisation costs 1e-6
 constexpr int most_iterations = 300;

@@ -251,7 +251,7 @@ ParsedCommandLine parse_command_line(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         parsed.exit_code = app->exit(help);
     } catch (const CLI::ParseError& error) {
-        fmt::print(stderr, "wetdeck: {}; see wetdeck --help\n", error.what());
+        complain(fmt::format("{}; see wetdeck --help", error.what()));
         parsed.exit_code = 2;
     }
     for (const CLI::App* command : app->get_subcommands()) parsed.options.command = command->get_name();
@@ -273,6 +273,13 @@ std::vector<CommandInfo> command_list() {
     for (CommandInfo& command : list)
         if (command.footer == app->get_footer()) command.footer.clear();  // handed down to all
     return list;
+}
+
+void complain(std::string message) {
+    std::replace_if(
+        message.begin(), message.end(),
+        [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
+    fmt::print(stderr, "wetdeck: {}\n", message);
 }
 
 }  // namespace wetdeck

@@ -71,4 +71,7 @@ struct CommandInfo {
 /// Every command, in the order of the help; the program itself, without a name, comes first.
 std::vector<CommandInfo> command_list();
 
+/// "wetdeck: MESSAGE" on stderr, one line whatever the names in it hold.
+void complain(std::string message);
+
 }  // namespace wetdeck

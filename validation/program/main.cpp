@@ -306,16 +306,16 @@ int main(int argc, char** argv) {
     try {
         return dispatch(argc, argv);
     } catch (const Interrupted& stop) {
-        fmt::print(stderr, "wetdeck: {}\n", stop.what());
+        complain(stop.what());
         return stop.exit_code();
     } catch (const InputError& error) {
-        fmt::print(stderr, "wetdeck: {}\n", error.what());
+        complain(error.what());
         return exit_usage;
     } catch (const EnvironmentError& error) {
-        fmt::print(stderr, "wetdeck: {}\n", error.what());
+        complain(error.what());
         return exit_environment;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "wetdeck: {}\n", error.what());
+        complain(error.what());
         return exit_environment;
     }
 }

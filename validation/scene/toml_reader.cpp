@@ -122,7 +122,8 @@ std::string TomlTable::choice(const std::string& key, const std::vector<std::str
     if (fallback && !has(key)) return *fallback;
     const std::string value = text(key);
     if (std::find(names.begin(), names.end(), value) == names.end()) {
-        fail(key, fmt::format("is '{}', expected one of {}", value, fmt::join(names, ", ")));
+        fail(key, names.empty() ? fmt::format("is '{}', and the file defines no such name", value)
+                                : fmt::format("is '{}', expected one of {}", value, fmt::join(names, ", ")));
     }
     return value;
 }

@@ -5,16 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <string_view>
 #include <system_error>
 
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/hdf5_values.hpp"
+#include "validation/store/seal.hpp"
 
 namespace wetdeck {
 namespace {
@@ -23,32 +19,6 @@ using hdf5::Node;
 
 constexpr std::uint64_t schema = 1;
 constexpr std::size_t kept = 2;  // the newest may be the one that a dying machine damaged
-
-constexpr std::size_t seal_size = sizeof(std::uint64_t);
-
-/// FNV-1a over words of 64 bits, the last one filled up with zeros, folded so that high bits count too.
-std::string seal_of(std::string_view bytes) {
-    std::uint64_t sum = 0xcbf29ce484222325U;
-    for (std::size_t place = 0; place < bytes.size(); place += sizeof sum) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data() + place, std::min(sizeof word, bytes.size() - place));
-        sum = (sum ^ word) * 0x100000001b3U;
-        sum ^= sum >> 32;
-    }
-    std::string seal(seal_size, '\0');
-    std::memcpy(seal.data(), &sum, seal_size);
-    return seal;
-}
-
-void check_seal(const std::filesystem::path& path) {
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (!file.is_open() && errno != ENOENT) throw environment_error(path, "read", errno);
-    const std::size_t body = bytes.size() - std::min(bytes.size(), seal_size);
-    if (bytes.substr(body) != seal_of(std::string_view(bytes).substr(0, body)))
-        throw DataError(path.string() + ": truncated or damaged, the checksum does not match");
-}
 
 std::filesystem::path path_of(const std::filesystem::path& run_dir, std::uint64_t step) {
     return run_dir / fmt::format("checkpoint_{:012}.h5", step);  // by name is by step
@@ -131,7 +101,8 @@ void write_checkpoint(const std::filesystem::path& run_dir, const Checkpoint& ch
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& file) {
-    check_seal(file);
+    if (seal_in(file) != Seal::whole)
+        throw DataError(file.string() + ": truncated or damaged, the checksum does not match");
     return read_values(hdf5::open_file(file, hdf5::Access::read));
 }
 

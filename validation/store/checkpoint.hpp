@@ -6,8 +6,7 @@
 //   /numbers      one attribute per number
 //   /arrays       one dataset per array, uncompressed: a run waits while they are written
 //
-// Behind the end of HDF5's own bytes stand eight more, a checksum of all before them. It is looked at first,
-// as HDF5 notices a file that is too short but not a flipped bit, and can hang or crash on one.
+// A file without its seal (seal.hpp) is not read.
 #pragma once
 
 #include <cstdint>

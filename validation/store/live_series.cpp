@@ -62,19 +62,6 @@ LiveTable read_table(const std::filesystem::path& path) {
     return table;
 }
 
-/// The rows with time <= `keep_until` of a live file with these columns; none if there is no such file.
-std::vector<double> rows_to_keep(const std::filesystem::path& path, const std::vector<LiveColumn>& columns,
-                                 double keep_until) {
-    try {
-        LiveTable table = read_table(path);
-        if (table.columns != columns) return {};
-        table.cut([&](std::size_t row) { return table.time(row) > keep_until; });
-        return std::move(table.values);
-    } catch (const DataError&) {  // absent, or damaged by a kill
-        return {};
-    }
-}
-
 }  // namespace
 
 std::filesystem::path live_file(const std::filesystem::path& run_dir) {
@@ -82,11 +69,10 @@ std::filesystem::path live_file(const std::filesystem::path& run_dir) {
 }
 
 LiveSeries::LiveSeries(const std::filesystem::path& run_dir, std::vector<LiveColumn> columns,
-                       std::size_t rows_per_flush, double keep_until)
+                       std::size_t rows_per_flush)
     : columns_(std::move(columns)), rows_per_flush_(std::max<std::size_t>(rows_per_flush, 1)) {
     const std::filesystem::path path = live_file(run_dir);
-    buffer_ = rows_to_keep(path, columns_, keep_until);
-    // A new file rather than the old one reopened: a kill may have damaged what only writing would find out.
+    // A new file rather than the old one reopened: a kill may have damaged it.
     create(temporary_name(path));
     if (::rename(temporary_name(path).c_str(), path.c_str()) != 0) {
         throw environment_error(path, "replace", errno);

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -32,10 +31,9 @@ std::filesystem::path live_file(const std::filesystem::path& run_dir);
 /// written after that.
 class LiveSeries {
   public:
-    /// Starts the file anew, or, to go on from a checkpoint, keeps the rows with time <= `keep_until` [s] of
-    /// a file with the same columns.
+    /// Starts the file anew. What a killed run left is not looked at: the checkpoint has its rows.
     LiveSeries(const std::filesystem::path& run_dir, std::vector<LiveColumn> columns,
-               std::size_t rows_per_flush = 64, double keep_until = -std::numeric_limits<double>::infinity());
+               std::size_t rows_per_flush = 64);
     ~LiveSeries();
     LiveSeries(const LiveSeries&) = delete;
     LiveSeries& operator=(const LiveSeries&) = delete;

@@ -9,6 +9,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/hdf5_values.hpp"
+#include "validation/store/seal.hpp"
 
 namespace wetdeck {
 namespace {
@@ -164,10 +165,14 @@ void write_run(const std::filesystem::path& run_dir, const RunRecord& record) {
     const Node all_series = create_group(file, "series");
     for (const auto& [name, series] : record.series) write_series(all_series, name, series);
     write_cost(file, record.cost);
-    atomic_write(path, file_image(file));
+    std::string bytes = file_image(file);
+    bytes += seal_of(bytes);
+    atomic_write(path, bytes);
 }
 
-RunRecord read_run(const std::filesystem::path& path) {
+namespace {
+
+RunRecord read_record(const std::filesystem::path& path) {
     const Node file = hdf5::open_file(path, hdf5::Access::read);
     RunRecord record;
     try {
@@ -183,6 +188,15 @@ RunRecord read_run(const std::filesystem::path& path) {
         throw DataError(path.string() + ": damaged, an array claims more than the memory");
     }
     return record;
+}
+
+}  // namespace
+
+RunRecord read_run(const std::filesystem::path& path) {
+    const Seal seal = seal_in(path);
+    if (seal == Seal::broken) throw DataError(path.string() + ": damaged, the checksum does not match");
+    if (seal == Seal::absent) rehearse(path, [&] { read_record(path); });
+    return read_record(path);
 }
 
 }  // namespace wetdeck

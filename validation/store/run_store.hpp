@@ -9,6 +9,8 @@
 //
 // Texts are variable-length UTF-8 and end at a NUL. A key of a parameter or choice that is already taken in
 // /meta is stored behind "parameter:" or "choice:".
+// The file carries a seal (seal.hpp). One without, as other programs leave it that write into it, is read
+// too.
 #pragma once
 
 #include <filesystem>

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "tests/unit/store/store_samples.hpp"
 #include "validation/metrics/speed_error.hpp"
 #include "validation/metrics/summary_json.hpp"
 
@@ -105,6 +106,72 @@ TEST_CASE("Two runs with the same cost and error are both on the Pareto front", 
         analyse({scene()}, {run("a", 0.02, 8, 0.04), run("b", 0.02, 8, 0.04)}, references);
     CHECK(summary.speed_error[0].pareto);
     CHECK(summary.speed_error[1].pareto);
+}
+
+TEST_CASE("The variants of a scene make one specification, with what any of them asks for, once",
+          "[analysis]") {
+    AnalysisSpec air = scene(), alone = scene(), other = scene();
+    air.variant = "air";
+    alone.variant = "alone";
+    air.default_variant = alone.default_variant = "alone";
+    air.quantities[0].unit = "not the one that is kept";
+    air.quantities[1].name = "of the air";
+    air.comparisons[1].title = "of the air";
+    other.scene = "another";
+    const std::vector<AnalysisSpec> scenes = analyse({air, other, alone}, {}, references).scenes;
+    REQUIRE(scenes.size() == 2);
+    CHECK(scenes[0].scene == "another");
+    REQUIRE(scenes[1].quantities.size() == 3);
+    CHECK(scenes[1].quantities[0].unit == "m");
+    CHECK(scenes[1].quantities[2].name == "of the air");
+    REQUIRE(scenes[1].comparisons.size() == 3);
+    CHECK(scenes[1].comparisons[2].title == "of the air");
+}
+
+TEST_CASE("A peer's curve is as far from the measured one as it was made, and its cost is what its file says",
+          "[analysis]") {
+    const samples::ScratchFolder folder;
+    const auto put = [&](const std::string& stem, const std::string& kind, double shift) {
+        std::string text =
+            "# kind: " + kind + "\n# citation: Someone (2000)\n# doi: none\n# figure: 1\n" +
+            "# obtained: tabulated\n# obtained_from: here\n# date: 2026-01-31\n" +
+            "# digitisation_error: 0.01\n# u_data: 0.05\n# u_data_source: text\n" +
+            "# sensor: gauge\n# filter: none\n# sign: up\n# time_origin: release\n# note: none\n";
+        if (shift > 0) text += "# cost_core_s: 90\n# cost_conditions: one core\n";
+        text += "T [-],p [-]\n";
+        for (int t = 0; t <= 4; ++t) text += std::to_string(t) + "," + std::to_string(t * t + shift) + "\n";
+        samples::put_bytes(folder / (stem + ".csv"), text);
+    };
+    put("measured", "experiment", 0);
+    put("peer", "peer-simulation", 0.25);
+    put("also_measured", "experiment", 0.5);
+    AnalysisSpec spec;
+    spec.scene = "made_up";
+    spec.error_quantity = "rms";
+    spec.folder = folder;
+    QuantitySpec rms;
+    rms.name = "rms";
+    rms.metric = "rms_difference";
+    rms.series = "gauge";
+    rms.reference = "measured";
+    rms.y_column = "p";
+    rms.window = Window{1, 3};
+    spec.quantities = {rms};
+    for (const char* reference : {"measured", "peer", "also_measured", "nowhere"}) {
+        ComparisonSpec comparison;
+        comparison.title = std::string("against ") + reference;
+        comparison.quantity = "gauge";
+        comparison.reference = reference;
+        comparison.x_column = "T";
+        comparison.y_column = "p";
+        spec.comparisons.push_back(comparison);
+    }
+    const std::vector<PeerPoint> peers = analyse({spec}, {}, references).peers;
+    REQUIRE(peers.size() == 1);
+    CHECK(peers[0].name == "against peer");
+    CHECK(peers[0].error == Approx(0.25));
+    CHECK(peers[0].core_s == 90);
+    CHECK(peers[0].conditions == "one core");
 }
 
 TEST_CASE("A run of a scene without specification is kept without quantities", "[analysis]") {

@@ -81,6 +81,18 @@ TEST_CASE("Time and value are scaled before the window is applied", "[quantities
     CHECK(evaluate(spec, run_with(line)).value.value() == Approx(2));
 }
 
+TEST_CASE("The first peak is integrated up to where it has fallen to its share", "[quantities]") {
+    // a triangle of height 2 about t = 2, and a second, lower one about t = 6
+    const auto peaks = [](double t) { return std::max({0.0, 2 - std::abs(t - 2), 1 - std::abs(t - 6)}); };
+    QuantitySpec spec = spec_of("first_peak_integral");
+    spec.threshold = 0.5;  // at t = 3
+    CHECK(evaluate(spec, run_with(peaks)).value.value() == Approx(2 + 1.5).epsilon(1e-4));
+    spec.threshold = -0.1;
+    const QuantityResult none = evaluate(spec, run_with(peaks));
+    CHECK_FALSE(none.value);
+    CHECK_THAT(none.note, Catch::Contains("does not fall to -0.1 of its peak"));
+}
+
 TEST_CASE("The first crossing is upward, interpolated and inside the window", "[quantities]") {
     QuantitySpec spec = spec_of("first_crossing");
     spec.threshold = 0.5;

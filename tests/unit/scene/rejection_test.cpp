@@ -87,6 +87,8 @@ TEST_CASE("an unknown ingredient of the model is refused with the list of known 
            "air_film, free_surface");
     REQUIRE_THAT(refusal(with("metric = \"mean\"", "metric = \"mode\"")),
                  Contains("is 'mode', expected one of mean, "));
+    expect("x_scale = \"time\"", "x_origin = \"contact\"", "quantities[0].x_origin",
+           "is 'contact', and the file defines no such name");
     expect("x_scale = \"time\"", "x_scale = \"tempo\"", "quantities[0].x_scale",
            "is 'tempo', expected one of length, time");
 }

@@ -13,7 +13,7 @@ using namespace wetdeck;
 
 namespace {
 
-constexpr double dx = 0.01, support = 0.03;
+constexpr double dx = 0.01;
 
 WallParticles particles_of(const Outline& outline, double spacing = dx) {
     WallParticles walls;

@@ -96,6 +96,43 @@ TEST_CASE("Depth is the water's volume over a strip, edges and voids included", 
     CHECK(water_depth(simulation, 0.7, 0.05) == 0);
 }
 
+TEST_CASE(
+    "The surface is the highest water of each column, spray included, and the bottom where there is none",
+    "[probe]") {
+    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    fill_box(setup.fluid, Phase::water, {{0, 0}, {0.5, 0.4}}, spacing, 1000);
+    fill_box(setup.fluid, Phase::water, {{0.74, 0.7}, {0.76, 0.72}}, spacing, 1000);  // one drop
+    fill_box(setup.fluid, Phase::air, {{0, 0.4}, {0.5, 0.6}}, spacing, 1);
+    const std::vector<double> top = water_top(setup.simulate(), 0, 1, 10);
+    REQUIRE(top.size() == 10);
+    for (std::size_t k = 0; k < 10; ++k) {
+        INFO(k);
+        CHECK(top[k] == Approx(k < 5 ? 0.4 : k == 7 ? 0.72 : 0.0).margin(1e-12));
+    }
+}
+
+TEST_CASE("The gap under a face is that to the nearest water in front of it, however the body is turned",
+          "[probe]") {
+    constexpr double half_turn = 3.14159265358979323846;
+    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    fill_box(setup.fluid, Phase::water, {{0, 0}, {1, 0.4}}, spacing, 1000);
+    const auto gap_below = [&](double height, double angle, Vec2 from, Vec2 to) {
+        RigidBody body;
+        body.mass = 1;
+        body.inertia = 1;
+        body.position = {0.5, height + 0.1};
+        body.angle = angle;
+        const Simulation simulation(setup.model, setup.fluid, setup.walls, spacing, tank, {body});
+        return gap_to_water(simulation, 0, from, to);
+    };
+    const Vec2 low(-0.1, -0.1), high(0.1, -0.1);  // the lower face of a square
+    CHECK(gap_below(0.5, 0, low, high) == Approx(0.1));
+    CHECK(gap_below(0.5, half_turn / 2, {-0.1, 0.1}, low) == Approx(0.1));
+    CHECK(gap_below(0.38, 0, low, high) == Approx(0).margin(1e-12));
+    const double tank_diagonal = std::sqrt(2.0);
+    CHECK(gap_below(0.5, half_turn, low, high) == Approx(tank_diagonal - 0.5 * spacing));
+}
+
 TEST_CASE("Balances of two particles are those computed by hand", "[probe]") {
     samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
     setup.fluid.add(Phase::water, {0.2, 0.3}, 4, 1010);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// live.h5: rows appear block by block, and a run that goes on keeps those before its checkpoint.
+// live.h5: rows appear block by block.
 #include "validation/store/live_series.hpp"
 
 #include <catch2/catch.hpp>
@@ -45,37 +45,16 @@ TEST_CASE("live series can be read while the run goes on, whole blocks at a time
     REQUIRE(read_live(folder).at("energy").time.size() == 10);
 }
 
-TEST_CASE("live series that go on from a checkpoint drop the rows behind it", "[store]") {
+TEST_CASE("live series start anew over old ones and over garbage", "[store]") {
     const ScratchFolder folder;
-    {
+    SECTION("old ones") {
         LiveSeries live(folder, columns, 4);
         append(live, 0, 10);
-    }
-    {
-        LiveSeries live(folder, columns, 4, 2.5);
-        append(live, 6, 8);
-    }
-    const Series pressure = read_live(folder).at("pressure");
-    REQUIRE(pressure.value == std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7});
-    REQUIRE(pressure.time.back() == 3.5);
-}
-
-TEST_CASE("live series start anew over other columns, over garbage and when told nothing", "[store]") {
-    const ScratchFolder folder;
-    {
-        LiveSeries live(folder, columns, 4);
-        append(live, 0, 10);
-    }
-    SECTION("other columns") {
-        LiveSeries(folder, {columns[1]}, 4, 1e9).flush();
     }
     SECTION("garbage") {
         samples::put_bytes(live_file(folder), "garbage");
-        LiveSeries(folder, columns, 4, 1e9).flush();
     }
-    SECTION("told nothing") {
-        LiveSeries(folder, columns, 4).flush();
-    }
+    LiveSeries(folder, columns, 4).flush();
     REQUIRE(read_live(folder).at("energy").time.empty());
 }
 

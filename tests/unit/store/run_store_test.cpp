@@ -2,12 +2,15 @@
 // run.h5: exact round trip, and nothing but a whole file is accepted.
 #include "validation/store/run_store.hpp"
 
+#include <signal.h>
+
 #include <catch2/catch.hpp>
 #include <functional>
 
 #include "solver/core/errors.hpp"
 #include "tests/unit/store/store_samples.hpp"
 #include "validation/store/hdf5_values.hpp"
+#include "validation/store/seal.hpp"
 
 using namespace wetdeck;
 using samples::ScratchFolder;
@@ -118,14 +121,53 @@ TEST_CASE("a directory instead of a run file is refused", "[store]") {
     REQUIRE_THROWS_AS(read_run(folder), std::runtime_error);
 }
 
-TEST_CASE("damaged samples are noticed", "[store]") {
+TEST_CASE("a flipped bit is noticed wherever it is", "[store]") {
     const ScratchFolder folder;
-    RunRecord record = samples::record(20000);
-    write_run(folder, record);
+    write_run(folder, samples::record(20000));
+    const std::string whole = samples::bytes_of(run_file(folder));
+    const double part = GENERATE(0.0, 0.1, 0.5, 0.9, 0.99);
+    const auto place = static_cast<std::size_t>(part * double(whole.size()));
+    std::string bytes = whole;
+    bytes[place] = static_cast<char>(bytes[place] ^ 0x10);
+    samples::put_bytes(run_file(folder), bytes);
+    REQUIRE_THROWS_WITH(read_run(run_file(folder)), Catch::Contains("the checksum does not match"));
+    REQUIRE_THROWS_AS(read_run(run_file(folder)), DataError);
+}
+
+TEST_CASE("a run file that another program has written to is read", "[store]") {
+    const ScratchFolder folder;
+    write_run(folder, samples::record(10));
+    {
+        const hdf5::Node file = hdf5::open_file(run_file(folder), hdf5::Access::append);
+        const hdf5::Node meta = open_group(file, "meta");
+        H5Adelete(meta.id(), "scene");
+        write_attribute(meta, "scene", std::string("another"));
+    }
+    REQUIRE(seal_in(run_file(folder)) == Seal::absent);
+    REQUIRE(read_run(run_file(folder)).scene == "another");
+}
+
+TEST_CASE("damaged samples of a file without a seal are noticed", "[store]") {
+    const ScratchFolder folder;
+    write_run(folder, samples::record(20000));
     std::string bytes = samples::bytes_of(run_file(folder));
+    bytes.resize(bytes.size() - seal_of(bytes).size());
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x10);  // inside a deflated chunk
     samples::put_bytes(run_file(folder), bytes);
     REQUIRE_THROWS_WITH(read_run(run_file(folder)), Catch::Contains("/series/front"));
+}
+
+TEST_CASE("a reader that crashes or does not end is noticed, and the program goes on", "[store]") {
+    const ScratchFolder folder;
+    REQUIRE_THROWS_WITH(rehearse(folder / "a.h5", [] { ::raise(SIGSEGV); }),
+                        (folder / "a.h5").string() + ": damaged, HDF5 crashes on it");
+    REQUIRE_THROWS_WITH(rehearse(folder / "a.h5",
+                                 [] {
+                                     for (volatile bool endless = true; endless;) {
+                                     }
+                                 }),
+                        (folder / "a.h5").string() + ": damaged, HDF5 does not come to an end on it");
+    REQUIRE_NOTHROW(rehearse(folder / "a.h5", [] { throw DataError("told by the reader itself"); }));
 }
 
 TEST_CASE("a run file that lacks a part says which", "[store]") {
