@@ -53,9 +53,9 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
                       std::uint32_t count, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     Pack sum = 0.0, stretching = 0.0, cover = 0.0;
-    // height above the first layer of dummy particles, half a spacing behind the face
-    Pack nearest = in.kernel.smoothing_length;
-    const double deepest = -1.5 * in.particle_spacing, beneath = 0.6 * in.particle_spacing;
+    // Height of the particle above the layer of the nearest boundary particle, which tells its own face: the
+    // other face of a thin body, or of an edge, has no say.
+    Pack closest = in.kernel.support_radius(), nearest = in.kernel.smoothing_length;
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
         const Separation s = separation(i, w.x, w.y);
@@ -63,21 +63,20 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         if constexpr (covered) cover += WendlandC2::bell(s.distance, inverse_h);
         if (w.nx == 0 && w.ny == 0) {
             sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
-            nearest = minimum(nearest, s.distance);
+            nearest = select(s.distance < closest, s.distance, nearest);
+            closest = minimum(closest, s.distance);
             continue;
         }
         const Pack closing = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
         const Pack height = s.x * w.nx + s.y * w.ny;
         sum += weight * closing * height;
         if constexpr (mirrored || covered) {
-            // Only what lies beneath the particle is near: neither the side of an edge that it passes nor the
-            // other face of a thin body.
-            const Pack along = s.y * w.nx - s.x * w.ny;
-            const Pack::Mask elsewhere = (along * along > beneath * beneath) | (height < deepest);
-            nearest = select(elsewhere, nearest, minimum(nearest, height));
+            nearest = select(s.distance < closest, height, nearest);
+            closest = minimum(closest, s.distance);
             if constexpr (mirrored) {
                 const WallMean& mean = in.wall_mean[neighbours[n]];
                 const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
+                const Pack along = s.y * w.nx - s.x * w.ny;
                 stretching += select(height > 0.0, weight * slip * along, 0.0);
             }
         }

@@ -165,7 +165,7 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
     const FluidState& p = fluid.state[i];
     const Material& side = material(model, fluid.phase(i));
     WallSums sums;
-    double stretching = 0, nearest = kernel.smoothing_length;
+    double stretching = 0, nearest = kernel.smoothing_length, closest = kernel.support_radius();
     for (std::size_t w = 0; w < walls.size(); ++w) {
         const WallState& wall = walls.state[w];
         const Vec2 offset = p.position() - place(wall), velocity = p.velocity() - Vec2(wall.vx, wall.vy);
@@ -174,14 +174,14 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         const double slope = particle_spacing * particle_spacing * kernel_slope(kernel, offset.norm());
         const bool edge = n.norm() == 0;
         sums.compression += slope * (edge ? velocity.dot(e) : velocity.dot(n) * n.dot(e));
-        if (edge) nearest = std::min(nearest, offset.norm());
+        if (offset.norm() < closest) {  // its face is the particle's own
+            closest = offset.norm();
+            nearest = edge ? closest : offset.dot(n);
+        }
         const bool in_front = offset.dot(n) > 0;
         if (in_front) {
             stretching += slope * (p.velocity() - Vec2(rates.wall[w].vx, rates.wall[w].vy)).dot(t) * t.dot(e);
         }
-        const bool beneath =
-            std::abs(offset.dot(t)) <= 0.6 * particle_spacing && offset.dot(n) >= -1.5 * particle_spacing;
-        if (!edge && beneath) nearest = std::min(nearest, offset.dot(n));
 
         const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
                                                     wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
