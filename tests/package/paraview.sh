@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # A picture of a run by ParaView: water, air, walls, body and the colours of the pressure must be in it, and time must move.
+# On Debian 12 python3-paraview takes the place of libvtk9-dev: build first, or draw on another machine.
 set -euo pipefail
 for program in pvpython xvfb-run; do
     command -v $program >/dev/null || { echo "not tested: needs $program (python3-paraview, xvfb)"; exit 77; }
