@@ -73,6 +73,7 @@ std::string pace_table(const Runs& runs, const std::optional<SourceRun>& source_
         "step limited by"};
     if (source_run) headers.push_back("source / this run");
     Table table(headers);
+    const double source_steps = source_run ? source_run->particles * source_run->steps : 0;
     for (const RunSummary* run : runs) {
         const RunRecord& record = run->record;
         std::vector<Cell> row = run_cells(record);
@@ -81,16 +82,15 @@ std::string pace_table(const Runs& runs, const std::optional<SourceRun>& source_
         row.push_back(value(particle_rate(record.cost)));
         row.push_back(value(parameter(record, "bytes_per_particle")));
         row.push_back(text(limiting_text(record.cost)));
-        if (source_run)
-            row.push_back(value(source_run->particles * source_run->steps / record.cost.particle_steps));
+        if (source_run) row.push_back(value(source_steps / record.cost.particle_steps));
         table.add(row);
     }
     if (!source_run) return table.html();
     return table.html() +
            paragraph(fmt::format(
                "The source's own computation takes {} particles times {} steps = {} particle-steps: {}.",
-               number(source_run->particles), number(source_run->steps),
-               number(source_run->particles * source_run->steps), escape(source_run->conditions)));
+               number(source_run->particles), number(source_run->steps), number(source_steps),
+               source_run->conditions));
 }
 
 std::string stage_table(const Runs& runs) {

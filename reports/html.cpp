@@ -217,14 +217,15 @@ std::string paragraph(std::string_view text, std::string_view css_class) {
     return "<p" + attribute + ">" + escape(text) + "</p>\n";
 }
 
-std::string details(std::string_view summary, const std::string& html, bool open) {
-    return fmt::format("<details{}><summary>{}</summary>\n{}</details>\n", open ? " open" : "",
+std::string details(std::string_view summary, const std::string& html, bool open,
+                    std::string_view css_class) {
+    return fmt::format("<details{}{}><summary>{}</summary>\n{}</details>\n",
+                       css_class.empty() ? "" : fmt::format(" class=\"{}\"", css_class), open ? " open" : "",
                        escape(summary), html);
 }
 
 std::string source_text(std::string_view summary, std::string_view text) {
-    return fmt::format("<details class=\"source\"><summary>{}</summary><pre>{}</pre></details>\n",
-                       escape(summary), escape(text));
+    return details(summary, "<pre>" + escape(text) + "</pre>", false, "source");
 }
 
 }  // namespace wetdeck::report

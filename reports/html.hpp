@@ -73,7 +73,8 @@ class Table {
 
 std::string paragraph(std::string_view text, std::string_view css_class = "");
 /// A closed box that opens on a click (and for print).
-std::string details(std::string_view summary, const std::string& html, bool open = false);
+std::string details(std::string_view summary, const std::string& html, bool open = false,
+                    std::string_view css_class = "");
 /// A long text of a machine's making, folded away on the screen and left out in print.
 std::string source_text(std::string_view summary, std::string_view text);
 

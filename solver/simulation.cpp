@@ -84,6 +84,7 @@ PassInput Simulation::inputs() const {
     in.wall = walls_.state.data();
     in.wall_mean = walls_.mean.data();
     in.clusters = &list_.clusters();
+    in.shares = &list_.shares();
     in.wall_clusters = &list_.wall_clusters();
     return in;
 }

@@ -4,8 +4,6 @@
 // test and the fast loop.
 #pragma once
 
-#include <cmath>
-
 namespace wetdeck {
 
 inline double maximum(double a, double b) {

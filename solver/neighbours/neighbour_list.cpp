@@ -112,7 +112,7 @@ void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::siz
 
 void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads) {
     if (images_) images_->wrap(fluid);
-    sort_fluid(fluid);
+    sort_fluid(fluid, threads);
     if (images_) place_images(fluid);
     if (walls.size() > walls.fixed) sort_walls(walls, walls.fixed, walls.size(), body_start_);
     clusters_.clear();
@@ -121,10 +121,13 @@ void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, const Pai
     list_neighbours(fluid, walls, loops, threads);
 }
 
-void NeighbourList::sort_fluid(FluidParticles& fluid) {
+void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
     const std::size_t cells = std::size_t{strips_} * rows_;
     key_.resize(fluid.size());
-    for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const auto size = static_cast<std::int64_t>(fluid.size());
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (std::int64_t n = 0; n < size; ++n) {
+        const auto i = static_cast<std::size_t>(n);
         const std::uint32_t cell = cell_index(cell_of(fluid.state[i].x, fluid.state[i].y));
         key_[i] = cell + static_cast<std::uint32_t>(fluid.phase(i) == Phase::air ? cells : 0);
     }
@@ -133,7 +136,9 @@ void NeighbourList::sort_fluid(FluidParticles& fluid) {
     sorted_.mass.resize(fluid.size());
     sorted_.id.resize(fluid.size());
     built_.resize(2 * fluid.size());
-    for (std::size_t i = 0; i < fluid.size(); ++i) {
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (std::int64_t n = 0; n < size; ++n) {
+        const auto i = static_cast<std::size_t>(n);
         const std::uint32_t from = order_[i];
         sorted_.state[i] = fluid.state[from];
         sorted_.mass[i] = fluid.mass[from];
@@ -221,6 +226,7 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                 list.data() + offsets[n - first];
         }
     }
+    shares_ = equal_shares(clusters_, threads);
     std::erase_if(wall_clusters_,
                   [](const Cluster& c) { return c.fluid_neighbours[0] + c.fluid_neighbours[1] == 0; });
 }

@@ -46,6 +46,8 @@ class NeighbourList {
     }
 
     const std::vector<Cluster>& clusters() const { return clusters_; }
+    /// Of the clusters, one a thread.
+    const std::vector<std::size_t>& shares() const { return shares_; }
     /// Clusters of boundary particles that have fluid near, with that fluid as neighbours; none holds
     /// particles of both tank and bodies.
     const std::vector<Cluster>& wall_clusters() const { return wall_clusters_; }
@@ -58,7 +60,7 @@ class NeighbourList {
     };
     Cell cell_of(double x, double y) const;
     std::uint32_t cell_index(Cell cell) const { return cell.strip * rows_ + cell.row; }
-    void sort_fluid(FluidParticles& fluid);
+    void sort_fluid(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
                     std::vector<std::uint32_t>& start);
@@ -76,6 +78,7 @@ class NeighbourList {
     std::vector<std::uint32_t> image_start_;  ///< the same of the periodic images
     std::vector<std::uint32_t> fixed_start_, body_start_;  ///< first boundary particle of a cell
     std::vector<Cluster> clusters_, wall_clusters_;
+    std::vector<std::size_t> shares_;
     std::vector<std::vector<std::uint32_t>> block_lists_;  ///< neighbour indices of a block of clusters
     std::vector<double> built_;                            ///< x, y of each fluid particle at the last build
     std::vector<std::uint32_t> key_, order_;

@@ -34,4 +34,21 @@ PairLoops pair_loops(const Model& model, const char* instruction_set) {
                      "', expected sse2, avx2 or avx512");
 }
 
+std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads) {
+    const auto pairs = [](const Cluster& c) {
+        return std::size_t{c.fluid_neighbours[0]} + c.fluid_neighbours[1] + c.wall_neighbours;
+    };
+    std::size_t total = 0;
+    for (const Cluster& c : clusters) total += pairs(c);
+    const auto count = static_cast<std::size_t>(threads);
+    std::vector<std::size_t> shares{0};
+    std::size_t sum = 0;
+    for (std::size_t n = 0; n < clusters.size(); ++n) {
+        sum += pairs(clusters[n]);
+        while (shares.size() < count && sum * count >= total * shares.size()) shares.push_back(n + 1);
+    }
+    shares.resize(count + 1, clusters.size());
+    return shares;
+}
+
 }  // namespace wetdeck

@@ -48,6 +48,10 @@ struct PairCoefficients {
     double half_density = 0;         ///< rho_ij / 2 of the switch dissipation
 };
 
+/// First clusters of as many consecutive shares of about the same number of neighbours as there are threads,
+/// and an end mark. What is near walls, or in the middle of the fluid, costs more than what is at a surface.
+std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads);
+
 struct WallCoefficients {
     DissipationLimiter limiter;
     double viscosity = 0;  ///< lambda mu / h of a no-slip wall
@@ -66,6 +70,7 @@ struct PassInput {
     std::array<bool, phase_count> wall_pressure_mean{};  ///< which phases see the Shepard pressure of walls
     double particle_spacing = 0;
     const std::vector<Cluster>* clusters = nullptr;
+    const std::vector<std::size_t>* shares = nullptr;  ///< of the clusters, one a thread (equal_shares)
     const std::vector<Cluster>* wall_clusters = nullptr;
     std::array<std::array<PairCoefficients, phase_count>, phase_count> pair;
     std::array<WallCoefficients, phase_count> wall_pair;

@@ -10,6 +10,18 @@
 namespace wetdeck::WETDECK_ISA {
 namespace {
 
+/// Calls `work` for each cluster. A thread takes one share: neighbours in space stay with it from pass to
+/// pass.
+template <class Work>
+void for_clusters(const PassInput& in, Work work) {
+    const auto shares = static_cast<std::int64_t>(in.shares->size()) - 1;
+#pragma omp parallel for schedule(static) num_threads(in.threads)
+    for (std::int64_t n = 0; n < shares; ++n) {
+        const auto share = static_cast<std::size_t>(n);
+        for (std::size_t k = (*in.shares)[share]; k < (*in.shares)[share + 1]; ++k) work((*in.clusters)[k]);
+    }
+}
+
 // --- continuity: d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*), Eq. (12)
 
 struct DensitySums {
@@ -61,18 +73,17 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
         const Separation s = separation(i, w.x, w.y);
         const Pack weight = WendlandC2::cubed_reach(s.distance, inverse_h);
         if constexpr (covered) cover += WendlandC2::bell(s.distance, inverse_h);
-        if (w.nx == 0 && w.ny == 0) {
-            sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
-            nearest = select(s.distance < closest, s.distance, nearest);
-            closest = minimum(closest, s.distance);
-            continue;
-        }
-        const Pack closing = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
-        const Pack height = s.x * w.nx + s.y * w.ny;
-        sum += weight * closing * height;
+        const bool edge = w.nx == 0 && w.ny == 0;
+        const Pack height = edge ? s.distance : s.x * w.nx + s.y * w.ny;
         if constexpr (mirrored || covered) {
             nearest = select(s.distance < closest, height, nearest);
             closest = minimum(closest, s.distance);
+        }
+        if (edge) {
+            sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
+        } else {
+            const Pack closing = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
+            sum += weight * closing * height;
             if constexpr (mirrored) {
                 const WallMean& mean = in.wall_mean[neighbours[n]];
                 const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
@@ -110,10 +121,7 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
 
 template <bool harmonic, bool hydrostatic, bool mirrored>
 void density_rates(const PassInput& in) {
-    const auto cluster_count = static_cast<std::int64_t>(in.clusters->size());
-#pragma omp parallel for schedule(static) num_threads(in.threads)
-    for (std::int64_t n = 0; n < cluster_count; ++n) {
-        const Cluster& cluster = (*in.clusters)[static_cast<std::size_t>(n)];
+    for_clusters(in, [&in](const Cluster& cluster) {
         if (cluster.phase == Phase::air) {
             cluster_density_rates<harmonic, hydrostatic, false, false>(in, cluster);
         } else if (in.cover) {
@@ -121,7 +129,7 @@ void density_rates(const PassInput& in) {
         } else {
             cluster_density_rates<harmonic, hydrostatic, mirrored, false>(in, cluster);
         }
-    }
+    });
 }
 
 // --- momentum: dv_i/dt = (2/rho_i) SUM_j V_j P* F r_ij / r + g, Eq. (12)
@@ -181,10 +189,7 @@ void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t*
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched, bool no_slip>
 void accelerations(const PassInput& in) {
-    const auto cluster_count = static_cast<std::int64_t>(in.clusters->size());
-#pragma omp parallel for schedule(static) num_threads(in.threads)
-    for (std::int64_t n = 0; n < cluster_count; ++n) {
-        const Cluster& cluster = (*in.clusters)[static_cast<std::size_t>(n)];
+    for_clusters(in, [&in](const Cluster& cluster) {
         const auto phase_i = static_cast<std::size_t>(cluster.phase);
         const Lanes i = load(in.fluid, cluster);
         const std::uint32_t* neighbours = cluster.neighbours;
@@ -204,7 +209,7 @@ void accelerations(const PassInput& in) {
         const Pack factor = 2 * in.kernel.slope_factor() / i.density;
         store(factor * sum.x + in.gravity.x(), in.acceleration_x, cluster);
         store(factor * sum.y + in.gravity.y(), in.acceleration_y, cluster);
-    }
+    });
 }
 
 // --- density and equation of state

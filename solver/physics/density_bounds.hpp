@@ -45,9 +45,9 @@ struct DensityBounds {
     /// `density` within the bounds; `particle_cover` counts only where there is an upper bound.
     template <class Real>
     Real limit(Real density, Real particle_cover, double reference_density) const {
+        if (!cover) return maximum(density, Real(lowest));
         const Real highest =
             maximum(Real(open), reference_density * (1.0 + steepness * (particle_cover - full_cover)));
-        if (!cover) return maximum(density, Real(lowest));
         const Real pushed_back =
             reference_density * (1.0 + compression_per_depth * (particle_cover - touching_cover));
         return maximum(minimum(density, highest), maximum(pushed_back, Real(lowest)));

@@ -119,7 +119,7 @@ std::vector<SurfacePoint> spaced_points(const std::vector<Vec2>& ring, double pa
 /// Shrinking the body by half the support and growing it back loses the parts that are thinner than the
 /// support.
 void check_thickness(const Polygon& polygon, double particle_spacing, double support) {
-    const double depth = 0.5 * support * (1 - 1e-4);
+    const double depth = 0.5 * support * (1 - 1e-3);
     MultiPolygon lost;
     bg::difference(polygon, offset(offset(polygon, -depth), depth), lost);
     constexpr double least_area = 0.1;  // of support^2: what rounding leaves at corners does not count
@@ -204,7 +204,6 @@ void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline&
     std::vector<SurfacePoint> all;
     for (int layer = 0; layer < layers; ++layer) {
         const std::size_t before = all.size();
-        // a hair less deep, so that a body of a whole number of layers keeps its middle one
         // A little less deep, so that a part of a whole number of layers keeps its middle one: what is left
         // of it must be wider than the rounding of the offset, which drops slivers and would leave the part
         // hollow.

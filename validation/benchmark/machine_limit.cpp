@@ -46,7 +46,9 @@ ArithmeticLimit arithmetic_limit(const Simulation& simulation, int threads) {
     const std::size_t size = simulation.fluid().size();
     std::vector<double> density_rate(size), cover(size), acceleration_x(size), acceleration_y(size);
     PassInput in = simulation.inputs();
+    const std::vector<std::size_t> shares = equal_shares(sample, threads);
     in.clusters = &sample;
+    in.shares = &shares;
     in.density_rate = density_rate.data();
     if (simulation.model().full_cover > 0) in.cover = cover.data();
     in.acceleration_x = acceleration_x.data();

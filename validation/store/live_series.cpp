@@ -22,14 +22,6 @@ struct LiveTable {
     std::size_t width() const { return columns.size() + 1; }
     std::size_t rows() const { return values.size() / width(); }
     double time(std::size_t row) const { return values[row * width()]; }
-
-    /// Keeps the rows before the first for which `is_end` holds.
-    template <typename Predicate>
-    void cut(const Predicate& is_end) {
-        std::size_t row = 0;
-        while (row < rows() && !is_end(row)) ++row;
-        values.resize(row * width());
-    }
 };
 
 std::vector<LiveColumn> read_columns(const hdf5::Node& file) {
@@ -56,9 +48,11 @@ LiveTable read_table(const std::filesystem::path& path) {
                         std::to_string(table.columns.size()) + " columns");
     }
     // A kill inside a flush can leave the table longer than its data: rows of the fill value, NaN.
-    table.cut([&](std::size_t row) {
-        return std::isnan(table.time(row)) || (row > 0 && table.time(row) <= table.time(row - 1));
-    });
+    std::size_t whole = 0;
+    while (whole < table.rows() && !std::isnan(table.time(whole)) &&
+           (whole == 0 || table.time(whole) > table.time(whole - 1)))
+        ++whole;
+    table.values.resize(whole * table.width());
     return table;
 }
 

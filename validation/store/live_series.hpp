@@ -20,8 +20,6 @@ struct LiveColumn {
     std::string name;
     std::string unit;
     std::string description;
-
-    bool operator==(const LiveColumn&) const = default;
 };
 
 /// DIR/live.h5; to be removed once run.h5 is in place.

@@ -111,7 +111,6 @@ void run(Findings& findings) {
             const double travelled = (end_share - start_share) * channel.duration();
             // areas under the pulses: spreading leaves them alone
             double reflected = 0, transmitted = 0, moment = 0, reflected_moment = 0, peak = 0;
-            Curve curve;
             const FluidParticles& fluid = simulation.fluid();
             std::vector<std::pair<double, double>> row;
             for (std::size_t i = 0; i < fluid.size(); ++i) {
@@ -138,11 +137,7 @@ void run(Findings& findings) {
             findings.record("return_" + c.name, resolution, std::abs(back));
             findings.record("peak_" + c.name, resolution,
                             std::abs(peak / (channel.scale() * std::abs(reflection)) - 1));
-            std::sort(row.begin(), row.end());
-            for (const auto& [x, y] : row) {
-                curve.x.push_back(x);
-                curve.y.push_back(y);
-            }
+            const Curve curve = sorted_curve(row);
             figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 5) + " m", curve);
             figure.exact = {};
             for (const double x : curve.x) {

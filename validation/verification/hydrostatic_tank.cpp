@@ -104,13 +104,7 @@ void run(Findings& findings) {
             if (std::abs(p.x - 0.5 * depth) < 0.6 * dx)
                 points.emplace_back((p.pressure - 0.05 * weight) / weight, p.y / depth);
         }
-        std::sort(points.begin(), points.end());
-        Curve line;
-        for (const auto& [x, y] : points) {
-            line.x.push_back(x);
-            line.y.push_back(y);
-        }
-        profile.computed.emplace_back(label, line);
+        profile.computed.emplace_back(label, sorted_curve(points));
         currents.computed.emplace_back(label, speed);
     }
     findings.figure(std::move(profile));

@@ -101,6 +101,16 @@ std::vector<std::vector<double>> ode(
     return states;
 }
 
+Curve sorted_curve(std::vector<std::pair<double, double>> points) {
+    std::sort(points.begin(), points.end());
+    Curve curve;
+    for (const auto& [x, y] : points) {
+        curve.x.push_back(x);
+        curve.y.push_back(y);
+    }
+    return curve;
+}
+
 std::vector<double> linspace(double low, double high, std::size_t n) {
     std::vector<double> values(n);
     for (std::size_t k = 0; k < n; ++k)

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
+
+#include "validation/metrics/curve.hpp"
 
 namespace wetdeck::verification {
 
@@ -19,6 +22,9 @@ double root(const Function& f, double low, double high);
 std::vector<std::vector<double>> ode(
     const std::function<std::vector<double>(double, const std::vector<double>&)>& rates,
     std::vector<double> start, const std::vector<double>& times);
+
+/// The points (x, y) in the order of x, as a curve.
+Curve sorted_curve(std::vector<std::pair<double, double>> points);
 
 /// n equidistant values from low to high.
 std::vector<double> linspace(double low, double high, std::size_t n);

@@ -16,7 +16,8 @@
 namespace wetdeck::verification {
 namespace {
 
-constexpr double sound_speed = 30, amplitude = 1e-4;  // of rho c^2: squares do not matter
+constexpr double sound_speed = 30;
+constexpr double scale = 1e-4 * water_density * sound_speed * sound_speed;  // [Pa]; squares do not matter
 constexpr double length = 2, height = 0.12, thickness = 0.4;
 constexpr double start = 1, half_width = 0.1;
 constexpr double way = 2 * (length - start) + 0.6;  // that sound goes in the time computed
@@ -36,7 +37,6 @@ Simulation channel(double spacing, bool with_sponge) {
     // the layer lies along the ends only
     setup.domain.low -= Vec2(thickness, thickness);
     setup.domain.high.y() += thickness;
-    const double scale = amplitude * water_density * sound_speed * sound_speed;
     set_initial_pressure(setup.fluid, model, [&](Phase, Vec2 at) {
         return scale * std::exp(-std::pow((at.x() - start) / half_width, 2));
     });
@@ -53,7 +53,6 @@ struct Returned {
 Returned returned(double spacing, bool with_sponge) {
     Simulation simulation = channel(spacing, with_sponge);
     advance(simulation, way / sound_speed);
-    const double scale = amplitude * water_density * sound_speed * sound_speed;
     Returned result;
     double moment = 0;
     std::vector<std::pair<double, double>> row;
@@ -67,11 +66,7 @@ Returned returned(double spacing, bool with_sponge) {
         moment += share * p.x;
     }
     result.place = moment / result.share;
-    std::sort(row.begin(), row.end());
-    for (const auto& [x, y] : row) {
-        result.pressure.x.push_back(x);
-        result.pressure.y.push_back(y);
-    }
+    result.pressure = sorted_curve(row);
     return result;
 }
 
