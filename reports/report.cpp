@@ -10,12 +10,14 @@ namespace wetdeck::report {
 void write_report(const std::filesystem::path& directory, const Summary& summary,
                   const ReportInputs& inputs) {
     Page page(directory, inputs.plotly, stamp_of(summary));
-    add_failures(page, summary);
-    add_front_part(page, summary);
+    if (about_runs(summary)) {
+        add_failures(page, summary);
+        add_front_part(page, summary);
+    }
     add_verification_part(page, summary);
     add_stress_part(page, summary);
     for (const AnalysisSpec& scene : scenes_of(summary)) add_scene_part(page, summary, scene, inputs);
-    add_paper_part(page, summary);
+    if (about_runs(summary)) add_paper_part(page, summary);
 
     std::string title = "wetdeck report, tier " + (summary.tier.empty() ? "unknown" : summary.tier);
     if (!summary.missing.empty()) title = "INCOMPLETE: " + title;

@@ -39,6 +39,11 @@ std::string mixed(const Hue& hue, double darkness) {
 
 }  // namespace
 
+bool about_runs(const Summary& summary) {
+    return !summary.runs.empty() || !summary.missing.empty() ||
+           (summary.verification.empty() && summary.stress.empty());
+}
+
 std::vector<AnalysisSpec> scenes_of(const Summary& summary) {
     std::vector<AnalysisSpec> scenes = summary.scenes;
     for (const RunSummary& run : summary.runs) {

@@ -11,6 +11,9 @@ namespace wetdeck::report {
 
 using Runs = std::vector<const RunSummary*>;
 
+/// Not of verification problems or hard cases alone: then there is nothing to say of runs.
+bool about_runs(const Summary& summary);
+
 /// The scenes of the summary, then those that only runs name.
 std::vector<AnalysisSpec> scenes_of(const Summary& summary);
 

@@ -16,30 +16,31 @@ std::string joined(const std::vector<double>& values) {
 }
 
 Cell order_cell(const VerificationRow& row) {
-    if (!row.claim.order) return text("none expected");
+    if (!row.claim.order) return text("none");
     const std::string range =
         fmt::format("{} to {}", number(row.claim.order->begin), number(row.claim.order->end));
-    return markup(
-        fmt::format("{} <span class=\"soft\">of {}</span>", row.order ? number(*row.order) : "—", range),
-        "number");
+    return markup(fmt::format("{}<br><span class=\"soft\">{}</span>",
+                              row.order ? fmt::format("{:.2f}", *row.order) : "—", range),
+                  "number");
 }
 
-Cell held(const VerificationRow& row) {
-    if (row.within) return markup("<span class=\"badge good\">holds</span>");
-    return markup(row.claim.known_miss.empty() ? "<span class=\"badge bad\">does not hold</span>"
-                                               : "<span class=\"badge bad\">does not hold, known</span>");
+std::string held(const VerificationRow& row) {
+    if (row.within) return "<span class=\"badge good\">holds</span>";
+    return row.claim.known_miss.empty() ? "<span class=\"badge bad\">does not hold</span>"
+                                        : "<span class=\"badge bad\">does not hold, known</span>";
 }
 
 std::string claims_table(const VerificationProblem& problem) {
-    Table table(
-        {"error", "verdict", "came out, coarse to fine", "bound", "order", "why this bound and order"});
+    Table table({"claim", "error, coarse to fine", "bound", "order, expected", "why this bound and order"},
+                "compact");
     for (const VerificationRow& row : problem.rows) {
         std::string errors = joined(row.error);
         if (row.claim.resolution != "none")
             errors += "<br><span class=\"soft\">" + escape(row.claim.resolution) + " " +
                       joined(row.resolution) + "</span>";
-        table.add({markup("<b>" + escape(row.claim.quantity) + "</b><br>" + escape(row.claim.meaning)),
-                   held(row), markup(errors, "number"), value(row.claim.bound), order_cell(row),
+        table.add({markup(fmt::format("<b>{}</b> {}<br>{}", escape(row.claim.quantity), held(row),
+                                      escape(row.claim.meaning))),
+                   markup(errors, "wide"), value(row.claim.bound), order_cell(row),
                    markup(escape(row.claim.reason), "wide")});
     }
     return table.html();
@@ -95,15 +96,16 @@ Figure curve_figure(const VerificationProblem& problem, const VerificationFigure
 
 /// What does not hold comes first.
 std::string misses(const std::vector<VerificationProblem>& problems) {
-    Table table({"problem", "error", "came out", "order", "why"});
+    Table table({"claim", "error, coarse to fine", "order, expected", "why"});
     for (const VerificationProblem& problem : problems) {
         if (!problem.unstable.empty())
-            table.add({text(problem.name), text("a run died"), text("—"), text("—"), text(problem.unstable)});
+            table.add({text(problem.name), text("a run died"), text("—"), text(problem.unstable)});
         for (const VerificationRow& row : problem.rows) {
             if (row.within) continue;
             const std::string why = row.claim.known_miss.empty() ? "not known" : row.claim.known_miss;
-            table.add({text(problem.name), text(row.claim.quantity), markup(joined(row.error), "number"),
-                       order_cell(row), markup(escape(why), "wide")});
+            table.add(
+                {markup(fmt::format("<b>{}</b><br>{}", escape(row.claim.quantity), escape(problem.title))),
+                 text(joined(row.error)), order_cell(row), markup(escape(why), "wide")});
         }
     }
     return table.empty() ? paragraph("Every claim holds.")

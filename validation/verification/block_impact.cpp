@@ -90,7 +90,7 @@ Problem block_impact() {
         {"energy_loss_without_tension",
          "the same where water bears no tension, the scheme of water without air", "dx / height", 0.15,
          Window{0.7, 4}, "the incompressible loss is the same: the impulse presses everywhere",
-         "The loss falls with the spacing, 19, 14 and 11 % of the energy at 20, 40 and 80 spacings instead "
+         "The loss falls with the spacing, 21, 15 and 11 % of the energy at 20, 40 and 80 spacings instead "
          "of 27 %. The "
          "compression wave of the impact comes back from the free sides as a wave of tension, which stops "
          "the water; "

@@ -365,3 +365,30 @@ TEST_CASE("A directory that cannot be written is an error of the environment", "
     CHECK_THROWS_AS(report::write_report(folder / "file", samples::summary(), samples::inputs()),
                     EnvironmentError);
 }
+
+TEST_CASE("A report of problems with exact solutions alone says what does not hold, and nothing of runs",
+          "[report]") {
+    VerificationProblem problem;
+    problem.name = "drop";
+    problem.title = "Oscillating drop";
+    Claim claim{"axis", "relative error", "dx / radius", 0.1, Window{0.5, 2}, "first order"};
+    for (const double coarsest : {0.08, 0.4}) {
+        VerificationRow row{claim, {0.1, 0.05}, {coarsest, coarsest / 2}, {}, false};
+        judge(row);
+        problem.rows.push_back(row);
+    }
+    Summary summary;
+    summary.verification = {problem};
+    const std::string page = page_of(summary);
+    CHECK(contains(page, "<b>1 of 2</b><span>claims of problems with exact solutions hold"));
+    CHECK(contains(page, "Claims that do not hold"));
+    CHECK_FALSE(contains(page, "Every run reached its end"));
+    CHECK_FALSE(contains(page, "There are no runs"));
+    CHECK_FALSE(contains(page, "runs reached their end"));
+
+    Summary with_runs = samples::summary();
+    with_runs.verification = {problem};
+    const std::string both = page_of(with_runs);
+    CHECK(contains(both, "<b>1 of 2</b><span>claims of problems with exact solutions hold"));
+    CHECK(contains(both, "runs reached their end"));
+}
