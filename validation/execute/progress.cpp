@@ -46,7 +46,8 @@ void Progress::update(double share, const std::string& detail) {
     last_ = now;
     shown_ = true;
     const double elapsed = seconds(now - start_);
-    const std::string left = share > 1e-3 ? duration_text(elapsed * (1 - share) / share) + " left" : "";
+    const std::string left =
+        share > 1e-3 ? duration_text(elapsed * (1 - share) / share) + " left" : "time left not known yet";
     if (terminal_) {
         constexpr int width = 24;
         const int filled = static_cast<int>(share * width);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -243,34 +244,47 @@ int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options) {
     for (const SuiteRow& row : waiting) total += row.estimated_core_seconds;
     const int cores = omp_get_num_procs();
     const int jobs = options.jobs > 0 ? options.jobs : cores;
+    const int threads = options.threads > 0 ? options.threads : std::max(1, cores / jobs);
     say(fmt::format("{} runs to do, about {} on {} cores\n", waiting.size(), duration_text(total / cores),
                     cores));
 
     Progress progress("suite", options.quiet);
-    std::map<pid_t, SuiteRow> running;
+    using Clock = std::chrono::steady_clock;
+    struct Running {
+        SuiteRow row;
+        Clock::time_point since;
+    };
+    std::map<pid_t, Running> running;
+    // what runs has done as much as its time would, but is not done before it ends
+    const auto share_done = [&] {
+        double sum = done;
+        for (const auto& [child, run] : running) {
+            const std::chrono::duration<double> elapsed = Clock::now() - run.since;
+            sum += std::min(0.95 * run.row.estimated_core_seconds, threads * elapsed.count());
+        }
+        return total > 0 ? sum / total : 0;
+    };
     int worst = 0;
     std::size_t next = 0, ended = 0;
     bool told = false;  // the runs, to stop
     while ((next < waiting.size() && stop_signal() == 0) || !running.empty()) {
         if (stop_signal() != 0 && !told) {
-            for (const auto& [child, row] : running) kill(child, SIGTERM);
+            for (const auto& [child, run] : running) kill(child, SIGTERM);
             told = true;
         }
         while (next < waiting.size() && stop_signal() == 0 &&
                running.size() < static_cast<std::size_t>(jobs)) {
             const SuiteRow& row = waiting[next++];
-            running.emplace(
-                start(row, options.threads > 0 ? options.threads : std::max(1, cores / jobs), options), row);
+            running.emplace(start(row, threads, options), Running{row, Clock::now()});
         }
         int status = 0;
         const pid_t child = waitpid(-1, &status, WNOHANG);
         if (child <= 0) {
             usleep(100'000);
-            progress.update(total > 0 ? done / total : 0,
-                            fmt::format("{} of {} runs", ended, waiting.size()));
+            progress.update(share_done(), fmt::format("{} of {} runs", ended, waiting.size()));
             continue;
         }
-        const SuiteRow row = running.at(child);
+        const SuiteRow row = running.at(child).row;
         running.erase(child);
         const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
         if (told && code == 128 + SIGTERM) continue;  // as it was told
