@@ -9,8 +9,8 @@
 
 namespace wetdeck {
 
-/// Speeds beyond this multiple of the sound speed end a run; the step, C h/(c + v), thus never falls below an
-/// eleventh of that at rest.
+/// Speeds beyond this multiple of the sound speed end a run; with the bound on densities that keeps the step,
+/// C h/(c + v), from creeping towards zero.
 inline constexpr double highest_mach_number = 10;
 
 /// Why a run cannot go on.
@@ -19,7 +19,7 @@ struct Instability {
     std::uint64_t step = 0;                 ///< steps done by then
     std::optional<std::uint32_t> particle;  ///< id; none where a body is in trouble
     Vec2 position = Vec2::Zero();           ///< of the particle or of the body [m]
-    std::string quantity;                   ///< what left its range, with value and range
+    std::string quantity;                   ///< what left its range, with its value
 
     /// One sentence for a person.
     std::string describe() const;

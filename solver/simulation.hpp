@@ -31,8 +31,8 @@ struct StageTimes {
     double density = 0;      ///< pass over the pairs for the density rates
     double momentum = 0;     ///< pass over the pairs for the accelerations
     double walls = 0;        ///< means at the walls
-    double bodies = 0;       ///< loads on bodies, places of their particles
-    double integration = 0;  ///< kicks and drifts
+    double bodies = 0;       ///< loads on bodies
+    double integration = 0;  ///< kicks, drifts, densities, places of bodies' particles
     double probes = 0;       ///< observer and watch
 };
 
@@ -48,7 +48,8 @@ class Simulation {
     /// @param particle_spacing  of the lattice that the fluid was laid on [m]
     /// @param bodies  in the order of the numbers that their boundary particles carry
     ///
-    /// Throws InputError where the model contradicts itself or a body that is free to move has no mass.
+    /// Throws InputError where the model contradicts itself or a body that is free to move has no mass, and
+    /// std::out_of_range where a boundary particle carries the number of no body.
     Simulation(const Model& model, FluidParticles fluid, WallParticles walls, double particle_spacing,
                Box domain, std::vector<RigidBody> bodies = {});
 
@@ -73,8 +74,10 @@ class Simulation {
     WendlandC2 kernel() const { return kernel_; }                     ///< with its smoothing length
     double time() const { return time_; }                             ///< since the start [s]
     std::uint64_t steps() const { return steps_; }                    ///< done so far
-    TimeStep time_step() const { return time_step_; }                 ///< stable at the present state
-    const StageTimes& stage_times() const { return stages_; }         ///< so far
+    TimeStep time_step() const {
+        return time_step_;
+    }  ///< of the last step taken; before the first, the stable one
+    const StageTimes& stage_times() const { return stages_; }  ///< so far
 
     /// Steps whose size each criterion set, in the order of LimitingCriterion.
     const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const {

@@ -33,9 +33,7 @@ struct Model {
     double pressure_diffusion = 1;       ///< factor on the pressure jump in u*, 1 is the Riemann value
     bool hydrostatic_correction = true;  ///< the jump counts only beyond the hydrostatic one
     Dissipation dissipation = Dissipation::low_dissipation;  ///< of approaching pairs
-    double dissipation_slope = 10;  ///< of the limiter min(slope du / c, 1), water with water
-    double dissipation_floor =
-        0;  ///< least share of the full Riemann dissipation, both signs, water with water
+    double dissipation_slope = 10;          ///< of the limiter min(slope du / c, 1), water with water
     double air_dissipation = 0.03;          ///< share of the full Riemann dissipation in pairs with air
     Viscosity viscosity = Viscosity::none;  ///< form of the viscous force
     bool dissipation_switch = false;        ///< Yang et al. (2020), Eqs. (14)-(15)

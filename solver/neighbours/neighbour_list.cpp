@@ -240,9 +240,13 @@ std::size_t NeighbourList::entries() const {
 
 std::size_t NeighbourList::bytes() const {
     std::size_t sum =
-        clusters_.capacity() * sizeof(Cluster) + built_.capacity() * sizeof(double) +
-        (key_.capacity() + order_.capacity() + fluid_start_.capacity()) * sizeof(std::uint32_t) +
-        sorted_.state.capacity() * sizeof(FluidState) + sorted_.mass.capacity() * sizeof(double);
+        (clusters_.capacity() + wall_clusters_.capacity()) * sizeof(Cluster) +
+        built_.capacity() * sizeof(double) +
+        (key_.capacity() + order_.capacity() + fluid_start_.capacity() + image_start_.capacity() +
+         fixed_start_.capacity() + body_start_.capacity() + sorted_.id.capacity()) *
+            sizeof(std::uint32_t) +
+        sorted_.state.capacity() * sizeof(FluidState) + sorted_.mass.capacity() * sizeof(double) +
+        sorted_walls_.state.capacity() * sizeof(WallState);
     for (const auto& list : block_lists_) sum += list.capacity() * sizeof(std::uint32_t);
     return sum;
 }

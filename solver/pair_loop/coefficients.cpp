@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a model to the numbers that the pair loops use, one set per ordered pair of phases.
-#include <algorithm>
 
 #include "solver/pair_loop/pair_loop.hpp"
 
@@ -62,7 +61,6 @@ PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, 
         c.limiter.floor = model.air_dissipation;
     } else {
         c.limiter.slope_over_speed = model.dissipation_slope / l.eos.sound_speed;
-        c.limiter.floor = model.dissipation_floor;
     }
     if (l.viscosity > 0 && r.viscosity > 0) {
         c.viscosity =

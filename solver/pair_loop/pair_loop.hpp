@@ -39,7 +39,7 @@ struct ClusterPoints {
 /// Coefficients of the formulas in physics/ for one ordered pair of phases.
 struct PairCoefficients {
     double weight_right = 0.5;       ///< of u_R in the velocity mean
-    double mobility = 0;             ///< pressure_diffusion / (2 mean(rho c))
+    double mobility = 0;             ///< pressure_diffusion / (2 mean(rho0 c)); the loop takes rho for rho0
     double hydrostatic_density = 0;  ///< of the hydrostatic part of the pressure jump
     double pressure_weight_left = 0.5, pressure_weight_right = 0.5;
     DissipationLimiter limiter;
@@ -48,15 +48,16 @@ struct PairCoefficients {
     double half_density = 0;         ///< rho_ij / 2 of the switch dissipation
 };
 
-/// First clusters of as many consecutive shares of about the same number of neighbours as there are threads,
-/// and an end mark. What is near walls, or in the middle of the fluid, costs more than what is at a surface.
-std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads);
-
+/// The same for pairs of a fluid particle with a boundary particle.
 struct WallCoefficients {
     DissipationLimiter limiter;
     double viscosity = 0;  ///< lambda mu / h of a no-slip wall
     double lowest_viscous_jump = 0;
 };
+
+/// First clusters of as many consecutive shares of about the same number of neighbours as there are threads,
+/// and an end mark. What is near walls, or in the middle of the fluid, costs more than what is at a surface.
+std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads);
 
 /// What a pass reads and writes. Pointers stay valid for the pass only.
 struct PassInput {
@@ -69,6 +70,7 @@ struct PassInput {
     WallMean* new_wall_mean = nullptr;                   ///< written by wall_means
     std::array<bool, phase_count> wall_pressure_mean{};  ///< which phases see the Shepard pressure of walls
     double particle_spacing = 0;
+    std::array<double, phase_count> reference_density{};
     const std::vector<Cluster>* clusters = nullptr;
     const std::vector<std::size_t>* shares = nullptr;  ///< of the clusters, one a thread (equal_shares)
     const std::vector<Cluster>* wall_clusters = nullptr;
@@ -111,7 +113,7 @@ struct PairLoops {
 /// here.
 PairLoops pair_loops(const Model& model, const char* instruction_set = nullptr);
 
-/// Coefficients of every ordered pair of phases under a model.
+/// Coefficients of an ordered pair of phases, or of a phase and a wall, under a model.
 PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, double smoothing_length);
 WallCoefficients wall_coefficients(const Model& model, Phase phase, double smoothing_length);
 

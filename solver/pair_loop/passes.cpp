@@ -30,7 +30,8 @@ struct DensitySums {
 
 template <bool harmonic, bool hydrostatic, bool covered>
 WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                std::uint32_t count, const PairCoefficients& c, DensitySums& sums) {
+                                std::uint32_t count, const PairCoefficients& c, Pack mobility,
+                                DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
     Pack sum = 0.0, cover = 0.0;
@@ -45,10 +46,10 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
             const Pack u_left = -(i.vx * s.x + i.vy * s.y) * s.inverse_distance;
             const Pack u_right = -(j.vx * s.x + j.vy * s.y) * s.inverse_distance;
             const Pack u_mean = guarded_harmonic_mean(u_left, u_right, in.velocity_guard);
-            deficit = s.distance * (u_left - u_mean - c.mobility * jump);
+            deficit = s.distance * (u_left - u_mean - mobility * jump);
         } else {
             const Pack closing = (j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y;
-            deficit = velocity_deficit(closing, jump * s.distance, c.weight_right, c.mobility);
+            deficit = velocity_deficit(closing, jump * s.distance, c.weight_right, mobility);
         }
         sum += j.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * deficit;
         if constexpr (covered) cover += j.volume * WendlandC2::bell(s.distance, inverse_h);
@@ -107,10 +108,12 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
     const Lanes i = load(in.fluid, cluster);
     const auto& coefficients = in.pair[static_cast<std::size_t>(cluster.phase)];
     const std::uint32_t* neighbours = cluster.neighbours;
+    const Pack thinner = in.reference_density[static_cast<std::size_t>(cluster.phase)] / i.density;
     DensitySums sums;
     for (std::size_t phase = 0; phase < phase_count; ++phase) {
         const std::uint32_t count = cluster.fluid_neighbours[phase];
-        density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, coefficients[phase], sums);
+        const PairCoefficients& c = coefficients[phase];
+        density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, c, c.mobility * thinner, sums);
         neighbours += count;
     }
     if (cluster.wall_neighbours > 0)

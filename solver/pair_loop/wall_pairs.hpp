@@ -4,7 +4,7 @@
 #pragma once
 
 #include "solver/pair_loop/lanes.hpp"
-#include "solver/physics/riemann.hpp"
+#include "solver/physics/dissipation.hpp"
 #include "solver/physics/wall_boundary.hpp"
 
 namespace wetdeck::WETDECK_ISA {

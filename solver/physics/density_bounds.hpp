@@ -15,9 +15,10 @@
 // Below: water without air bears no tension, and what flies apart must not remember it: rho_lowest = rho_0.
 // What touches a face is not under tension, and what is behind it is compressed by that alone,
 //     rho_i >= rho_0 (1 + depth / 10),
-// depth in spacings: at a tenth of the speed of sound water stops within a third of one. The continuity
-// equation does not see a particle that drifts into a wall with nothing behind it: what it gains from the
-// mirrored wall ahead it loses behind. Such a particle was inside the sinking rectangle after half a second.
+// depth in spacings, counted from the nearest layer, so up to one: at a tenth of the speed of sound water
+// stops within a third of one. The continuity equation does not see a particle that drifts into a wall with
+// nothing behind it: what it gains from the mirrored wall ahead it loses behind. Such a particle was inside
+// the sinking rectangle after half a second.
 #pragma once
 
 #include "solver/core/scalar_math.hpp"
@@ -29,7 +30,7 @@ namespace wetdeck {
 inline constexpr double touching_distance = 0.25, touching_cover = 10;
 
 /// Of the upper bound beyond a full cover: impacts compress water by a tenth, and leave its cover as it is.
-inline constexpr double steepness = 10;
+inline constexpr double cover_steepness = 10;
 
 /// Compression per spacing of depth behind a face. A touching particle's cover is touching_cover plus that
 /// depth; the cover of all others is so much less that this bound is below every density.
@@ -47,7 +48,7 @@ struct DensityBounds {
     Real limit(Real density, Real particle_cover, double reference_density) const {
         if (!cover) return maximum(density, Real(lowest));
         const Real highest =
-            maximum(Real(open), reference_density * (1.0 + steepness * (particle_cover - full_cover)));
+            maximum(Real(open), reference_density * (1.0 + cover_steepness * (particle_cover - full_cover)));
         const Real pushed_back =
             reference_density * (1.0 + compression_per_depth * (particle_cover - touching_cover));
         return maximum(minimum(density, highest), maximum(pushed_back, Real(lowest)));

@@ -46,7 +46,7 @@ inline double equal_coefficient_sound_speed(const TaitEquationOfState& first, do
     return std::sqrt(first.coefficient() * exponent / reference_density);
 }
 
-/// x^gamma for the two exponents in use, by multiplications alone: gamma = 7 (water) and 7/5 (air). The fifth
+/// x^gamma for the two exponents in use, without pow: gamma = 7 (water) and 7/5 (air). The fifth
 /// root is found by Halley's method from 1, its first step written out; one or two more reach rounding near
 /// 1, four for 0.2 < x < 5.
 template <class Real>

@@ -6,10 +6,9 @@
 //     u* = (Z_L u_L + Z_R u_R + P_L - P_R) / (Z_L + Z_R),    P* = (Z_R P_L + Z_L P_R + Z_L Z_R (u_L - u_R)) /
 //     (Z_L + Z_R)
 // The jump in u* diffuses density. Only its part beyond the hydrostatic one may do so, else a still column
-// inflates.
+// inflates. There rho is that of the left particle as it is: with the one at rest the diffusion of compressed
+// air grows as its (density ratio)^1.4 and outruns the time step.
 #pragma once
-
-#include "solver/physics/interparticle_mean.hpp"
 
 namespace wetdeck {
 
@@ -18,8 +17,8 @@ namespace wetdeck {
 /// @param pressure_jump  P_L - P_R beyond the hydrostatic jump [Pa]
 /// @param weight_right  weight of u_R in the mean
 /// @param mobility  1 / (2 mean(rho c)) [m^2 s/kg]
-template <class Real, class Scalar>
-Real velocity_deficit(Real jump, Real pressure_jump, Scalar weight_right, Scalar mobility) {
+template <class Real, class Scalar, class Mobility>
+Real velocity_deficit(Real jump, Real pressure_jump, Scalar weight_right, Mobility mobility) {
     return weight_right * jump - mobility * pressure_jump;
 }
 

@@ -6,8 +6,6 @@
 // signs) of the nominal one, so the symmetric form takes lambda = 4.
 #pragma once
 
-#include "solver/physics/interparticle_mean.hpp"
-
 namespace wetdeck {
 
 enum class Viscosity { none, approaching, symmetric };

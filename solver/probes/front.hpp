@@ -21,7 +21,7 @@ std::vector<double> water_top(const Simulation& simulation, double low, double h
 
 /// Gap between a straight face of a body and the nearest water in front of it [m], zero where they touch.
 /// Ends of the face in the body's frame, with the fluid on the right as one goes from `from` to `to`. The
-/// distance to the far end of the tank where no water is in front.
+/// tank's diagonal, less half a spacing, where no water is in front.
 double gap_to_water(const Simulation& simulation, std::size_t body, Vec2 from, Vec2 to);
 
 }  // namespace wetdeck

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/probes/pressure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

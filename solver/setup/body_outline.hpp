@@ -53,7 +53,8 @@ AreaMoments area_moments(const Outline& outline);
 void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
                         double particle_spacing, double support_radius);
 
-/// Removes the fluid inside the outline and closer to it than half a spacing.
+/// Removes the fluid inside the outline and closer to it than half a spacing. Before velocities and pressures
+/// are set: what stays is laid anew, at rest and with new ids.
 void clear_fluid(FluidParticles& fluid, const Outline& outline, double particle_spacing);
 
 }  // namespace wetdeck

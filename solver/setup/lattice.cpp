@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/setup/lattice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -50,7 +51,7 @@ void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_sp
 WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, bool periodic_x) {
     const Vec2 size = tank.high - tank.low;
     const Axis along_x = fit(size.x(), particle_spacing), along_y = fit(size.y(), particle_spacing);
-    const int layers = static_cast<int>(std::ceil(support_radius / particle_spacing));
+    const int layers = static_cast<int>(std::ceil(support_radius / particle_spacing - 1e-9));
     WallParticles walls;
     const auto coordinate = [&](int index, const Axis& axis, double low) {
         if (index < 0) return low + (index + 0.5) * particle_spacing;

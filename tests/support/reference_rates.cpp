@@ -48,6 +48,7 @@ struct Pair {
                 0.5 * (left_material.eos.reference_density + right_material.eos.reference_density);
             jump -= density * model.gravity.dot(offset());
         }
+        jump *= left_material.eos.reference_density / left.density;  // impedances are those at rest
         if (model.velocity_mean == Mean::harmonic) {
             const double guard = 1e-12 * model.water.eos.sound_speed;
             return guarded_harmonic_mean(u_left(), u_right(), guard) +
@@ -74,7 +75,7 @@ struct Pair {
         DissipationLimiter limiter{0.5 * mean_impedance(), 0, 1};
         if (model.dissipation == Dissipation::low_dissipation) {
             limiter.slope_over_speed = with_air ? 0 : model.dissipation_slope / left_material.eos.sound_speed;
-            limiter.floor = with_air ? model.air_dissipation : model.dissipation_floor;
+            limiter.floor = with_air ? model.air_dissipation : 0;
         }
         return riemann_dissipation(jump, limiter);
     }

@@ -58,7 +58,6 @@ Model two_phase_model() {
     model.hydrostatic_correction = true;
     model.dissipation = Dissipation::low_dissipation;
     model.dissipation_slope = 3;
-    model.dissipation_floor = 0;
     model.air_dissipation = 0.1;
     model.viscosity = Viscosity::none;
     model.dissipation_switch = false;

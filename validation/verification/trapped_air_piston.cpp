@@ -10,7 +10,6 @@ namespace wetdeck::verification {
 namespace {
 
 constexpr double air_length = 1, slug_length = 0.5, tube_height = 0.5;  // [m]
-constexpr double paper_courant_number = 0.25;
 
 struct Law {
     std::string name, words;
@@ -67,10 +66,9 @@ double turning_time(const Law& law) {
                     std::sqrt(air_length - law.closest) * (1 - 1e-12));
 }
 
-Simulation tube(const Law& law, double dx, double courant_number) {
+Simulation tube(const Law& law, double dx) {
     Model model = two_phase_model(law.water_sound_speed, law.air_sound_speed, 0);
     model.air.eos = air_of(law);
-    model.courant_number = courant_number;
     const double height = tube_height;
     Setup setup(model, {{0, 0}, {air_length + slug_length + 0.5, height}}, dx, true);
     setup.fill(Phase::water, {{air_length, 0}, {air_length + slug_length, height}});
@@ -94,7 +92,7 @@ void run_law(Findings& findings, const Law& law) {
                               {},
                               {}};
     for (const double dx : findings.levels({1.0 / 20, 1.0 / 40, 1.0 / 80})) {
-        Simulation simulation = tube(law, dx, paper_courant_number);
+        Simulation simulation = tube(law, dx);
         Curve pressure;
         std::vector<double> times, lengths;
         advance(simulation, 1.6 * turn, [&](const Simulation& s) {
@@ -129,19 +127,6 @@ void run_law(Findings& findings, const Law& law) {
 
 void run(Findings& findings) {
     for (const Law& law : laws()) run_law(findings, law);
-    // the default time step under the same compression
-    const Law& law = laws().front();
-    Simulation simulation = tube(law, 0.05, Model{}.courant_number);
-    double reached = 1;
-    try {
-        advance(simulation, 1.6 * turning_time(law));
-    } catch (const Unstable& death) {
-        reached = simulation.time() / (1.6 * turning_time(law));
-        findings.note(
-            std::string("At the default Courant number of 0.5 the soft law, compressed to half, dies ") +
-            death.what() + ".");
-    }
-    findings.record("default_time_step", 0.05, 1 - reached);
 }
 
 }  // namespace
@@ -194,17 +179,6 @@ Problem trapped_air_piston() {
              {},
              "half a spacing; at fine spacings the water's own compression is left"});
     }
-    problem.claims.push_back({"default_time_step",
-                              "share of the soft law's run that the default Courant number does not survive",
-                              "dx / length of the air",
-                              0,
-                              {},
-                              "a stable time step has no error",
-                              "The step follows from the sound speed at the reference density. Compressed to "
-                              "half, the air's own is 15 % higher "
-                              "and its particles stand twice as dense along the tube; the default Courant "
-                              "number of 0.5 then is too large, the "
-                              "paper's 0.25, with which all else here is run, is not."});
     problem.run = run;
     return problem;
 }

@@ -80,12 +80,11 @@ TEST_CASE("Dissipation of water with water is limited, with air it is a share fo
           "[coefficients]") {
     Model model = two_phase_model();
     model.dissipation_slope = 3;
-    model.dissipation_floor = 0.02;
     model.air_dissipation = 0.1;
     const PairCoefficients water = pair_coefficients(model, Phase::water, Phase::water, h);
     CHECK(water.limiter.half_impedance == Approx(15000));
     CHECK(water.limiter.slope_over_speed == Approx(0.1));
-    CHECK(water.limiter.floor == 0.02);
+    CHECK(water.limiter.floor == 0);
     const Phase other = GENERATE(Phase::water, Phase::air);
     const PairCoefficients air = pair_coefficients(model, Phase::air, other, h);
     CHECK(air.limiter.slope_over_speed == 0);

@@ -31,7 +31,6 @@ const std::vector<Ingredient>& ingredients() {
         {"hydrostatic jump kept", [](Model& m) { m.hydrostatic_correction = false; }},
         {"no dissipation", [](Model& m) { m.dissipation = Dissipation::none; }},
         {"full Riemann dissipation", [](Model& m) { m.dissipation = Dissipation::riemann; }},
-        {"dissipation floor", [](Model& m) { m.dissipation_floor = 0.05; }},
         {"viscosity of approaching pairs", [](Model& m) { m.viscosity = Viscosity::approaching; }},
         {"viscosity of both signs", [](Model& m) { m.viscosity = Viscosity::symmetric; }},
         {"dissipation switch", [](Model& m) { m.dissipation_switch = true; }},

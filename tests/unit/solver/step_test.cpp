@@ -40,7 +40,7 @@ struct ByHand {
                 const TaitEquationOfState& eos = setup.model.water.eos;
                 const double weight = setup.model.gravity.norm() * setup.particle_spacing;
                 const double open = 1 + weight / (eos.sound_speed * eos.sound_speed);
-                const double filled = 1 + steepness * (rates.cover[i] - setup.model.full_cover);
+                const double filled = 1 + cover_steepness * (rates.cover[i] - setup.model.full_cover);
                 p.density = std::min(p.density, eos.reference_density * std::max(open, filled));
             }
             p.volume = setup.fluid.mass[i] / p.density;
