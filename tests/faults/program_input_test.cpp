@@ -79,6 +79,7 @@ TEST_CASE("the program refuses spacings and times that cannot be run", "[faults]
     expect_refusal({"run", scene, "--dx", "0.07", "--out", out},
                    "particle spacing 0.07 m does not fit the side of 0.4 m");
     expect_refusal({"run", scene, "--dx", "-1", "--out", out}, "--dx is -1, expected a positive spacing [m]");
+    expect_refusal({"run", scene, "--dx", "0", "--out", out}, "--dx is 0, expected a positive spacing [m]");
     expect_refusal({"run", scene, "--dx", "nan", "--out", out}, "expected a positive spacing [m]");
     expect_refusal({"run", scene, "--dx", "1e-7", "--out", out}, "expected at most 5e+07");
     expect_refusal({"run", "dam_break", "--dx", "0.06", "--out", out},

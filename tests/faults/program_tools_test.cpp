@@ -128,6 +128,13 @@ TEST_CASE("scripts get JSON from the version, a description and a check", "[faul
     const json good = json_of({"check", scene, "--json"});
     CHECK(good.at("valid") == true);
     CHECK(good.at("variants") == json({"two-phase", "single-phase"}));
+    REQUIRE(good.at("missing_references").size() == 1);
+    const std::string curve = folder / (good.at("missing_references")[0].get<std::string>() + ".csv");
+    samples::put_bytes(curve, "a,b\n1,2\n");
+    const Outcome unsound = run_program({"check", scene});
+    CHECK(unsound.code == 2);
+    CHECK_THAT(unsound.err, Contains(curve));
+    std::filesystem::remove(curve);
     samples::put_bytes(scene, samples::with("end_time = 0.2", "end_time = \"soon\""));
     const Outcome outcome = run_program({"check", scene, "--json"});
     CHECK(outcome.code == 2);

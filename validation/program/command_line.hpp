@@ -20,7 +20,7 @@ struct Options {
     // run
     std::string scene;
     std::string variant;
-    double particle_spacing = 0;
+    std::optional<double> particle_spacing;
     std::vector<std::string> overrides;
     double until = 0;
     int threads = 0;

@@ -159,7 +159,9 @@ void print_description(const std::string& name, bool as_json) {
     fmt::print("\nReferences\n");
     for (const json& c : all["references"]) {
         fmt::print("  {:16} against {}{}\n", text(c["series"]), text(c["reference"]),
-                   c["available"] ? "" : "  (curve not available: put it at " + text(c["file"]) + ")");
+                   c["available"] ? ""
+                                  : "  (curve not available: put it beside the scene file or at " +
+                                        text(c["file"]) + ")");
     }
     fmt::print("\nDeviations from the source\n");
     for (const json& d : all["deviations"])

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
+#include "validation/analytic/curves.hpp"
 #include "validation/execute/ablate.hpp"
 #include "validation/execute/assemble.hpp"
 #include "validation/execute/baseline.hpp"
@@ -18,6 +20,7 @@
 #include "validation/execute/stress.hpp"
 #include "validation/execute/suite.hpp"
 #include "validation/execute/verify.hpp"
+#include "validation/metrics/quantities.hpp"
 #include "validation/metrics/reference.hpp"
 #include "validation/program/command_line.hpp"
 #include "validation/program/completion.hpp"
@@ -80,14 +83,20 @@ int finish_run(const Scene& scene, RunOptions run, const Options& options) {
     return record.status == RunStatus::ok ? exit_done : exit_unstable;
 }
 
+/// What was asked for [m]; 0 where nothing was.
+double chosen_spacing(const Options& options) {
+    if (options.particle_spacing == 0.0) throw InputError("--dx is 0, expected a positive spacing [m]");
+    return options.particle_spacing.value_or(0);
+}
+
 int run_command(const Options& options) {
     const fs::path path = find_scene(options.scene);
     const std::optional<std::string> variant =
         options.variant.empty() ? std::nullopt : std::optional<std::string>(options.variant);
     const Scene scene = read_scene(path, variant, options.overrides);
     RunOptions run;
-    run.particle_spacing = options.particle_spacing;
-    if (run.particle_spacing == 0) {
+    run.particle_spacing = chosen_spacing(options);
+    if (!options.particle_spacing) {
         const auto tier = scene.tiers.find("quick");
         const bool listed = tier != scene.tiers.end() && tier->second.count(scene.variant) > 0;
         if (!listed) throw InputError("--dx is missing: the scene names no quick spacing for this variant");
@@ -149,7 +158,7 @@ int ablate_command(Options& options) {
     AblateOptions ablate;
     ablate.scene = options.scene;
     if (!options.variant.empty()) ablate.variant = options.variant;
-    ablate.particle_spacing = options.particle_spacing;
+    ablate.particle_spacing = chosen_spacing(options);
     if (options.until != 0) ablate.until = options.until;
     const bool stable = run_ablation(ablate, options.suite);
     fmt::print("report: {}\n", (options.suite.directory / "index.html").string());
@@ -196,13 +205,31 @@ int baseline_command(const Options& options) {
     return deviations.empty() ? exit_done : exit_outside;
 }
 
-/// What was found in a scene file, read in every variant, or in a reference curve.
+/// Reads the curves that a scene is compared with, and returns those that are not there. Throws DataError
+/// where one is not sound or lacks a column.
+std::vector<std::string> missing_references(const Scene& scene) {
+    std::vector<std::string> missing;
+    for (const ComparisonSpec& c : scene.analysis.comparisons) {
+        if (is_analytic(c.reference)) continue;
+        const fs::path path =
+            reference_file(c.reference, scene.analysis.folder, reference_directory() / scene.name());
+        if (fs::exists(path)) {
+            column_curve(load_reference(path), c.x_column, c.y_column);
+        } else if (std::find(missing.begin(), missing.end(), c.reference) == missing.end()) {
+            missing.push_back(c.reference);
+        }
+    }
+    return missing;
+}
+
+/// What was found in a scene file, read in every variant with its reference curves, or in a reference curve.
 nlohmann::json checked(const std::string& file) {
     if (fs::path(file).extension() == ".csv") {
         const Reference reference = load_reference(file);
         return {{"kind", reference.kind}, {"columns", reference.columns.size()}};
     }
     const Scene scene = read_scene(file);
+    const std::vector<std::string> missing = missing_references(scene);
     std::vector<std::string> variants;
     for (const VariantInfo& variant : scene.variants) {
         variants.push_back(variant.name);
@@ -213,7 +240,7 @@ nlohmann::json checked(const std::string& file) {
             for (const double dx : spacings->second) check_spacing(varied, dx);
         }
     }
-    return {{"scene", scene.name()}, {"variants", variants}};
+    return {{"scene", scene.name()}, {"variants", variants}, {"missing_references", missing}};
 }
 
 int check_command(const Options& options) {
@@ -230,6 +257,11 @@ int check_command(const Options& options) {
         } else if (found.contains("scene")) {
             fmt::print("{}: scene '{}' with {} variants, no error found\n", file,
                        found["scene"].get<std::string>(), found["variants"].size());
+            for (const auto& name : found["missing_references"])
+                fmt::print(
+                    "no file {}.csv beside the scene or in reference_data/: its comparison will be left "
+                    "out\n",
+                    name.get<std::string>());
         } else {
             fmt::print("{}: {} reference, {} columns, no error found\n", file,
                        found["kind"].get<std::string>(), found["columns"].get<int>());

@@ -123,9 +123,11 @@ void RunDirectory::claim(const std::string& identity, OnConflict on_conflict) co
     if (on_conflict == OnConflict::replace) {
         remove_run_files(path_);
     } else if (finished || another) {
-        throw InputError(fmt::format("{}: holds {} run ({}); choose another directory or remove this one",
-                                     path_.string(), finished ? "a finished" : "another, unfinished",
-                                     found.value_or("of unknown identity")));
+        throw InputError(
+            fmt::format("{}: holds {} run ({}); choose another directory, remove this one or replace the run "
+                        "with --replace",
+                        path_.string(), finished ? "a finished" : "another, unfinished",
+                        found.value_or("of unknown identity")));
     }
     if (found != identity || on_conflict == OnConflict::replace) {
         atomic_write(path_ / "identity", identity + '\n');
