@@ -162,6 +162,12 @@ Problem trapped_air_piston() {
                 "slug, 3 % of the "
                 "air's under this law, which stays: no order expected";
         }
+        if (law.name == "stiff") {
+            peak.known_miss =
+                "At 80 spacings the default Courant number of 0.5 gives 5.6 % too much or too little where "
+                "0.25 "
+                "gives 1.3 %; 2.7 and 2.3 % at 40.";
+        }
         problem.claims.push_back(peak);
         problem.claims.push_back(
             {"peak_time_" + law.name,
