@@ -22,6 +22,16 @@ bool needs_wall_means(const Model& model) {
     return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;
 }
 
+/// Sets what passes read of these particles and lists.
+void set_state(PassInput& in, const FluidParticles& fluid, const WallParticles& walls, NeighbourList& list) {
+    in.fluid = list.listed(fluid);
+    in.wall = walls.state.data();
+    in.wall_mean = walls.mean.data();
+    in.clusters = &list.clusters();
+    in.shares = &list.shares();
+    in.wall_clusters = &list.wall_clusters();
+}
+
 double checked_spacing(double particle_spacing) {
     const bool good = particle_spacing > 0 && std::isfinite(particle_spacing);
     if (!good) throw InputError("particle_spacing must be positive");
@@ -80,12 +90,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
 
 PassInput Simulation::inputs() const {
     PassInput in = coefficients_;
-    in.fluid = list_.listed(fluid_);
-    in.wall = walls_.state.data();
-    in.wall_mean = walls_.mean.data();
-    in.clusters = &list_.clusters();
-    in.shares = &list_.shares();
-    in.wall_clusters = &list_.wall_clusters();
+    set_state(in, fluid_, walls_, list_);
     return in;
 }
 
@@ -194,20 +199,21 @@ TimeStep Simulation::stable_step() const {
 }
 
 double Simulation::momentum_error() const {
-    // the reactions of the tank are summed from lists that a run may do without
+    if (list_.with_walls_own_lists()) return momentum_error(inputs(), fluid_, walls_);
+    // the reactions of the tank are summed from lists that this run does without
     FluidParticles fluid = fluid_;
     WallParticles walls = walls_;
     NeighbourList list(domain_, particle_spacing_, kernel_.support_radius(), 0, true, model_.periodic_x);
     list.place_fixed(walls);
     list.build(fluid, walls, loops_, threads_);
+    PassInput in = coefficients_;
+    set_state(in, fluid, walls, list);
+    return momentum_error(in, fluid, walls);
+}
+
+double Simulation::momentum_error(PassInput in, const FluidParticles& fluid,
+                                  const WallParticles& walls) const {
     std::vector<double> ax(fluid.size()), ay(fluid.size()), fx(walls.size(), 0), fy(walls.size(), 0);
-    PassInput in = inputs();
-    in.fluid = list.listed(fluid);
-    in.wall = walls.state.data();
-    in.wall_mean = walls.mean.data();
-    in.clusters = &list.clusters();
-    in.shares = &list.shares();
-    in.wall_clusters = &list.wall_clusters();
     in.acceleration_x = ax.data();
     in.acceleration_y = ay.data();
     in.wall_force_x = fx.data();

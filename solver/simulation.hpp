@@ -74,10 +74,8 @@ class Simulation {
     WendlandC2 kernel() const { return kernel_; }                     ///< with its smoothing length
     double time() const { return time_; }                             ///< since the start [s]
     std::uint64_t steps() const { return steps_; }                    ///< done so far
-    TimeStep time_step() const {
-        return time_step_;
-    }  ///< of the last step taken; before the first, the stable one
-    const StageTimes& stage_times() const { return stages_; }  ///< so far
+    TimeStep time_step() const { return time_step_; }                 ///< the stable one of the last step
+    const StageTimes& stage_times() const { return stages_; }         ///< so far
 
     /// Steps whose size each criterion set, in the order of LimitingCriterion.
     const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const {
@@ -116,6 +114,7 @@ class Simulation {
 
   private:
     PassInput pass_input();
+    double momentum_error(PassInput in, const FluidParticles& fluid, const WallParticles& walls) const;
     TimeStep stable_step() const;
     void build_list();
     void first_kick(double dt);

@@ -51,6 +51,8 @@ class NeighbourList {
     /// Clusters of boundary particles that have fluid near, with that fluid as neighbours; none holds
     /// particles of both tank and bodies.
     const std::vector<Cluster>& wall_clusters() const { return wall_clusters_; }
+    /// Whether there are any.
+    bool with_walls_own_lists() const { return with_walls_own_lists_; }
     std::size_t entries() const;
     std::size_t bytes() const;
 

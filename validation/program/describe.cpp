@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "validation/analytic/curves.hpp"
 #include "validation/execute/progress.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/scene/scene.hpp"
@@ -68,7 +69,7 @@ json references_of(const Scene& scene) {
     std::set<std::string> shown;
     for (const ComparisonSpec& c : scene.analysis.comparisons) {
         if (!shown.insert(c.reference + c.quantity).second) continue;
-        const bool computed = c.reference.starts_with("analytic:");
+        const bool computed = is_analytic(c.reference);
         const std::filesystem::path file =
             reference_file(c.reference, scene.analysis.folder, reference_directory() / scene.name());
         all.push_back({{"series", c.quantity},

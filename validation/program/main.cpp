@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "solver/core/errors.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
@@ -207,16 +207,15 @@ int baseline_command(const Options& options) {
 
 /// Reads the curves that a scene is compared with, and returns those that are not there. Throws DataError
 /// where one is not sound or lacks a column.
-std::vector<std::string> missing_references(const Scene& scene) {
-    std::vector<std::string> missing;
+std::set<std::string> missing_references(const Scene& scene) {
+    ReferenceShelf shelf(reference_directory() / scene.name(), scene.analysis.folder);
+    std::set<std::string> missing;
     for (const ComparisonSpec& c : scene.analysis.comparisons) {
-        if (is_analytic(c.reference)) continue;
-        const fs::path path =
-            reference_file(c.reference, scene.analysis.folder, reference_directory() / scene.name());
-        if (fs::exists(path)) {
-            column_curve(load_reference(path), c.x_column, c.y_column);
-        } else if (std::find(missing.begin(), missing.end(), c.reference) == missing.end()) {
-            missing.push_back(c.reference);
+        if (is_analytic(c.reference)) continue;  // checked when the scene was read
+        if (const Reference* reference = shelf.find(c.reference)) {
+            column_curve(*reference, c.x_column, c.y_column);
+        } else {
+            missing.insert(c.reference);
         }
     }
     return missing;
@@ -229,7 +228,7 @@ nlohmann::json checked(const std::string& file) {
         return {{"kind", reference.kind}, {"columns", reference.columns.size()}};
     }
     const Scene scene = read_scene(file);
-    const std::vector<std::string> missing = missing_references(scene);
+    const std::set<std::string> missing = missing_references(scene);
     std::vector<std::string> variants;
     for (const VariantInfo& variant : scene.variants) {
         variants.push_back(variant.name);

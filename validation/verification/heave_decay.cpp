@@ -220,13 +220,10 @@ Problem heave_decay() {
         {"heave_trough", "error of the depth of the first trough over the height of the start", resolution,
          0.1, Window{0.5, 2.5}, "the decrement's bound, in amplitude; first order",
          "The first trough is 0.66, 0.71 and 0.76 of the start at 40, 20 and 10 mm instead of 0.90, with an "
-         "order "
-         "of 0.4. Neither lift (0.1 to 0.4 of the draught), sound speed nor dissipation changes it by more "
-         "than "
-         "0.02; the arrangement of the particles does (at 40 mm by 0.06 with particles shaken by a tenth of "
-         "a "
-         "spacing or at h = 1.7 dx instead of 1.5): the lattice of the start seems to resist shear before it "
-         "gives way."},
+         "order of 0.4. Neither lift (0.1 to 0.4 of the draught), sound speed nor dissipation changes it by "
+         "more than 0.02; the arrangement of the particles does (at 40 mm by 0.06 with particles shaken by a "
+         "tenth of a spacing or at h = 1.7 dx instead of 1.5): the lattice of the start seems to resist "
+         "shear before it gives way."},
         {"heave_curve",
          "rms difference of the height over the height of the start, until 1.05 of the third passage",
          resolution,
