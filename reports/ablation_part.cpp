@@ -6,6 +6,17 @@
 #include "reports/parts.hpp"
 
 namespace wetdeck::report {
+namespace {
+
+std::string death_picture(const StressRow& row, const ReportInputs& inputs) {
+    const auto found = inputs.deaths.find(row.picture);
+    if (found == inputs.deaths.end()) return "";
+    return details("picture", fmt::format("<img src=\"{}\" alt=\"{}, {}\" loading=\"lazy\">",
+                                          data_address("image/png", found->second), escape(row.stress_case),
+                                          escape(row.setting)));
+}
+
+}  // namespace
 
 std::string ablation_table(const Summary& summary, const AnalysisSpec& scene) {
     Table table({"left out", "dx [m]", "core-seconds, without over with", "change of the error", "needed"},
@@ -33,7 +44,7 @@ std::string ablation_table(const Summary& summary, const AnalysisSpec& scene) {
                "soft");
 }
 
-void add_stress_part(Page& page, const Summary& summary) {
+void add_stress_part(Page& page, const Summary& summary, const ReportInputs& inputs) {
     if (summary.stress.empty()) return;
     page.section(2, "Hard cases");
     Table table({"case", "setting", "outcome", "note"});
@@ -41,7 +52,7 @@ void add_stress_part(Page& page, const Summary& summary) {
         table.add({text(row.stress_case), text(row.setting),
                    markup(row.survived ? "<span class=\"badge good\">survived</span>"
                                        : "<span class=\"badge bad\">did not survive</span>"),
-                   markup(escape(row.note), "wide")});
+                   markup(escape(row.note) + death_picture(row, inputs), "wide")});
     }
     page.add(table.html());
 }

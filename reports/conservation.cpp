@@ -75,10 +75,14 @@ Figure budget_figure(const RunSummary& run, const Energies& energies) {
     Figure figure;
     figure.name = fmt::format("{}-{}-energy", run.record.scene, run.record.variant);
     figure.title = "Energy, change since the start: " + run_name(run);
+    const bool bodies = run.record.series.count("body_work") != 0;
     figure.caption = fmt::format(
-        "Revision {}. Each energy minus its initial value, over the initial potential "
-        "energy. Largest growth of the total: {}.",
-        revision_of(run), number_with_unit(run.energy_error, "-"));
+        "Revision {}. Each energy minus its initial value, over the initial potential energy.{} Largest "
+        "growth "
+        "of the total{}: {}.",
+        revision_of(run),
+        bodies ? " These are the fluid's: the total rises by the work of a body that falls in." : "",
+        bodies ? " less that work" : "", number_with_unit(run.energy_error, "-"));
     figure.x = {"time", "s", false, {}};
     figure.y = {"(E − E(0)) / Epot(0)", "-", false, {}};
     const auto add = [&](const char* label, Curve curve, const char* colour, double width) {

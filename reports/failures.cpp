@@ -36,8 +36,8 @@ std::string dead_runs(const Summary& summary) {
 
 using Row = std::vector<Cell>;
 
-std::optional<Row> quantity_failure(const QuantityResult& q) {
-    const bool not_reached = q.expected && !q.value;
+std::optional<Row> quantity_failure(const QuantityResult& q, const RunRecord& record) {
+    const bool not_reached = q.expected && !q.value && !stopped_early(record);
     if (q.within.value_or(true) && !not_reached) return std::nullopt;
     const std::string source = q.expected_source.empty() ? "" : ", " + q.expected_source;
     return Row{text(q.name), text("expected " + number_with_unit(q.expected, q.unit) + source),
@@ -56,7 +56,7 @@ std::optional<Row> comparison_failure(const ComparisonResult& c) {
 std::vector<Row> failures_of(const RunSummary& run) {
     std::vector<Row> rows;
     for (const QuantityResult& q : run.quantities) {
-        if (auto row = quantity_failure(q)) rows.push_back(std::move(*row));
+        if (auto row = quantity_failure(q, run.record)) rows.push_back(std::move(*row));
     }
     for (const ComparisonResult& c : run.comparisons) {
         if (auto row = comparison_failure(c)) rows.push_back(std::move(*row));
@@ -114,6 +114,15 @@ void add_failures(Page& page, const Summary& summary) {
                                        "not listed again as outside tolerance.",
                                        died),
                            "soft"));
+    }
+    const auto early = std::count_if(summary.runs.begin(), summary.runs.end(),
+                                     [](const RunSummary& run) { return stopped_early(run.record); });
+    if (early > 0) {
+        page.add(
+            paragraph(fmt::format("{} of the runs were asked to stop before their scene's end; what they "
+                                  "did not get to is not judged.",
+                                  early),
+                      "soft"));
     }
     if (dead.empty() && finest.empty() && coarser.empty()) {
         page.add(paragraph("Every run reached its end and everything with a tolerance lies within it."));

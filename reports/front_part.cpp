@@ -43,7 +43,7 @@ std::vector<Cell> cost_cells(const RunRecord& record) {
     const RunCost& cost = record.cost;
     return {value(record.particle_spacing, "-", 4),
             status_cell(record),
-            whole(static_cast<double>(record.particles)),
+            whole(static_cast<double>(record.fluid_particles)),
             whole(static_cast<double>(cost.steps)),
             value(cost.wall_s),
             value(cost.core_s),
@@ -52,8 +52,8 @@ std::vector<Cell> cost_cells(const RunRecord& record) {
 }
 
 std::string runs_table(const Summary& summary) {
-    Table table({"scene", "variant", "dx [m]", "status", "particles", "steps", "wall [s]", "core-seconds",
-                 "particle-steps/s", "memory [MB]"},
+    Table table({"scene", "variant", "dx [m]", "status", "fluid particles", "steps", "wall [s]",
+                 "core-seconds", "particle-steps/s", "memory [MB]"},
                 "compact");
     for (const AnalysisSpec& scene : scenes_of(summary)) {
         const Runs runs = runs_of(summary, scene);

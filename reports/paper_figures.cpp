@@ -126,6 +126,11 @@ std::string reason_for_absence(const Summary& summary, std::string_view scene) {
 }  // namespace
 
 void add_paper_part(Page& page, const Summary& summary) {
+    const auto of_paper = [](const RunSummary& run) {
+        return std::any_of(paper_figures.begin(), paper_figures.end(),
+                           [&](const PaperFigure& figure) { return figure.scene == run.record.scene; });
+    };
+    if (std::none_of(summary.runs.begin(), summary.runs.end(), of_paper)) return;
     page.section(2, "The paper's figures in this report");
     Table table({"figure", "shows", "place in this report", "remark"});
     for (const PaperFigure& figure : paper_figures) {

@@ -18,7 +18,7 @@ void add_front_part(Page& page, const Summary& summary);
 /// Bias and scatter of each class of quantities over all scenes.
 void add_statistics_part(Page& page, const Summary& summary);
 /// Hard cases, if any were run.
-void add_stress_part(Page& page, const Summary& summary);
+void add_stress_part(Page& page, const Summary& summary, const ReportInputs& inputs);
 /// Where each figure of the paper has its counterpart. Comes last: it links what the page has by then.
 void add_paper_part(Page& page, const Summary& summary);
 

@@ -15,11 +15,13 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
         add_front_part(page, summary);
     }
     add_verification_part(page, summary);
-    add_stress_part(page, summary);
+    add_stress_part(page, summary, inputs);
     for (const AnalysisSpec& scene : scenes_of(summary)) add_scene_part(page, summary, scene, inputs);
     if (about_runs(summary)) add_paper_part(page, summary);
 
-    std::string title = "wetdeck report, tier " + (summary.tier.empty() ? "unknown" : summary.tier);
+    const bool of_tier = summary.tier == "quick" || summary.tier == "standard" || summary.tier == "paper";
+    std::string title = "wetdeck report, " + std::string(of_tier ? "tier " : "") +
+                        (summary.tier.empty() ? "tier unknown" : summary.tier);
     if (!summary.missing.empty()) title = "INCOMPLETE: " + title;
     atomic_write(directory / "index.html", page.html(title, header_markup(summary, inputs, page)));
     page.remove_stale_figures();

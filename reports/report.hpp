@@ -37,6 +37,7 @@ struct ReportInputs {
     std::vector<std::pair<std::string, std::string>> machine;
     std::map<std::string, std::vector<Picture>> pictures;  ///< by RunSummary::directory
     std::map<std::string, std::string> sketches;           ///< SVG of the set-up, by scene
+    std::map<std::string, std::string> deaths;             ///< PNG, by StressRow::picture
     std::string plotly;  ///< text of plotly.js; empty: the figures are static
     std::string note;    ///< one sentence on how this report was made
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "reports/html.hpp"
 #include "reports/parts.hpp"
@@ -103,6 +104,20 @@ std::vector<Figure> convergence_figures(const Summary& summary, const AnalysisSp
     return figures;
 }
 
+/// Whether the scene's error quantity has nothing to be divided by: it is expected to vanish.
+bool is_error_itself(const Summary& summary, const AnalysisSpec& scene) {
+    for (const QuantitySpec& spec : scene.quantities) {
+        if (spec.name == scene.error_quantity && spec.metric == "rms_difference") return true;
+    }
+    for (const RunSummary& run : summary.runs) {
+        for (const QuantityResult& q : run.quantities) {
+            if (run.record.scene == scene.scene && q.name == scene.error_quantity && q.expected == 0.0)
+                return true;
+        }
+    }
+    return false;
+}
+
 Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
     std::map<std::string, std::vector<const SpeedErrorPoint*>> by_variant;
     for (const SpeedErrorPoint& point : summary.speed_error) {
@@ -113,10 +128,18 @@ Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
     Figure figure;
     figure.name = scene.scene + "-speed-error";
     figure.title = scene.scene + ": speed against error";
-    figure.caption =
-        "Error: " + (scene.error_quantity.empty() ? "as chosen by the scene" : scene.error_quantity) + ".";
+    std::set<std::string> targets;
+    for (const auto& [variant, points] : by_variant) {
+        for (const SpeedErrorPoint* point : points) targets.insert(point->against);
+    }
+    const bool absolute = is_error_itself(summary, scene);
+    figure.caption = fmt::format("Error of {}{}.", scene.error_quantity,
+                                 targets.size() == 1 ? " against " + *targets.begin() : "");
     figure.x = {"cost", "core-seconds", true, {}};
-    figure.y = {"error: " + scene.error_quantity, unit_of_quantity(scene, scene.error_quantity), true, {}};
+    figure.y = {(absolute ? "error: " : "relative error: ") + scene.error_quantity,
+                absolute ? unit_of_quantity(scene, scene.error_quantity) : "-",
+                true,
+                {}};
     const std::vector<std::string> variants = variants_of(runs_of(summary, scene));
     PlotSeries best;
     best.style = Style::points;
@@ -129,7 +152,7 @@ Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
         const auto place = std::find(variants.begin(), variants.end(), variant) - variants.begin();
         PlotSeries s;
         s.style = Style::line_and_points;
-        s.label = variant;
+        s.label = variant + (targets.size() > 1 ? ", against " + points.front()->against : "");
         s.colour = variant_colour(static_cast<std::size_t>(place));
         for (const SpeedErrorPoint* point : points) {
             s.data.x.push_back(point->core_s);

@@ -43,13 +43,31 @@
 
   const fonts = { family: 'system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif', size: 12.5, color: '#22303c' };
 
+  // Breaks a text between words, where a line would have more letters.
+  function wrapped(text, letters) {
+    const lines = [''];
+    for (const word of text.split(' ')) {
+      const longer = (lines[lines.length - 1] + ' ' + word).trim();
+      if (longer.length > letters && lines[lines.length - 1]) lines.push(word);
+      else lines[lines.length - 1] = longer;
+    }
+    return lines.join('<br>');
+  }
+
   function draw(frame) {
     const box = frame.querySelector('.plot');
     frame.classList.add('interactive');
     const figure = JSON.parse(box.nextElementSibling.textContent);
-    const entries = figure.data.filter((trace) => trace.showlegend).length;
-    const columns = box.clientWidth > 620 ? 2 : 1;
-    const legend = 20 * Math.ceil(entries / columns) + 8;
+    const entries = figure.data.filter((trace) => trace.showlegend);
+    const longest = Math.max(0, ...entries.map((trace) => trace.name.length));
+    const letters = (columns) => Math.floor((box.clientWidth / columns - 70) / 6.5);  // of a legend's line
+    const columns = longest <= letters(2) ? 2 : 1;
+    let lines = 0;
+    for (const trace of entries) {
+      trace.name = wrapped(trace.name, letters(columns));
+      lines += trace.name.split('<br>').length;
+    }
+    const legend = 20 * Math.ceil(lines / columns) + 8;
     const height = 350 + legend;
     box.style.height = height + 'px';
     Object.assign(figure.layout, {

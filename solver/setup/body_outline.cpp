@@ -116,25 +116,32 @@ std::vector<SurfacePoint> spaced_points(const std::vector<Vec2>& ring, double pa
     return points;
 }
 
-/// Shrinking the body by half the support and growing it back loses the parts that are thinner than the
-/// support.
-void check_thickness(const Polygon& polygon, double particle_spacing, double support) {
-    const double depth = 0.5 * support * (1 - 1e-3);
-    MultiPolygon lost;
+/// What is lost where the body is shrunk by half of `width` and grown back: its parts that are thinner.
+/// Less than a tenth of the width squared does not count: rounding leaves it at corners.
+MultiPolygon parts_thinner_than(const Polygon& polygon, double width) {
+    constexpr double least_area = 0.1;
+    const double depth = 0.5 * width * (1 - 1e-3);
+    MultiPolygon lost, parts;
     bg::difference(polygon, offset(offset(polygon, -depth), depth), lost);
-    constexpr double least_area = 0.1;  // of support^2: what rounding leaves at corners does not count
-    for (const Polygon& part : lost) {
-        if (bg::area(part) < least_area * support * support) continue;
-        Point place(0, 0);
-        bg::centroid(part, place);
-        char text[200];
-        std::snprintf(
-            text, sizeof text,
-            "the body is thinner than the kernel's support of %.4g m near (%.4g, %.4g) m: fluid would act "
-            "through it; a finer particle spacing than %.4g m is needed",
-            support, place.x(), place.y(), particle_spacing);
-        throw InputError(text);
-    }
+    std::copy_if(lost.begin(), lost.end(), std::back_inserter(parts),
+                 [&](const Polygon& part) { return bg::area(part) >= least_area * width * width; });
+    return parts;
+}
+
+void check_thickness(const Polygon& polygon, double particle_spacing, double support) {
+    const MultiPolygon thin = parts_thinner_than(polygon, support);
+    if (thin.empty()) return;
+    Point place(0, 0);
+    bg::centroid(thin.front(), place);
+    double share = 0.95;
+    while (share > 0.05 && !parts_thinner_than(polygon, share * support).empty()) share -= 0.05;
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "the body is thinner than the kernel's support of %.4g m near (%.4g, %.4g) m: fluid would act "
+        "through it; expected a particle spacing of at most %.3g m",
+        support, place.x(), place.y(), share * particle_spacing);
+    throw InputError(text);
 }
 
 }  // namespace
@@ -144,9 +151,13 @@ void check_outline(const Outline& outline) {
     for (const Vec2& corner : outline) {
         if (!corner.allFinite()) throw InputError("an outline needs finite corners");
     }
-    std::string reason;
     const Polygon polygon = polygon_of(outline);
-    if (!bg::is_valid(polygon, reason)) throw InputError("the outline is no simple polygon: " + reason);
+    bg::validity_failure_type failure = bg::no_failure;
+    if (!bg::is_valid(polygon, failure)) {
+        const bool crosses = failure == bg::failure_self_intersections;
+        throw InputError(std::string("the outline is no simple polygon: it ") +
+                         (crosses ? "crosses or touches itself" : "has a spike or no width"));
+    }
     if (!(bg::area(polygon) > 0)) throw InputError("the outline has no area");
 }
 

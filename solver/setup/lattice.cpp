@@ -24,19 +24,19 @@ Axis fit(double length, double particle_spacing) {
 
 }  // namespace
 
+bool spacing_fits(double length, double particle_spacing) {
+    return std::abs(fit(length, particle_spacing).spacing / particle_spacing - 1) <= largest_stretch;
+}
+
 void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_spacing, double density) {
     const Vec2 size = region.high - region.low;
     const Axis axes[] = {fit(size.x(), particle_spacing), fit(size.y(), particle_spacing)};
-    for (int k = 0; k < 2; ++k) {
-        if (std::abs(axes[k].spacing / particle_spacing - 1) <= largest_stretch) continue;
-        const double side = size[k];
-        const int fewer = std::max(1, static_cast<int>(side / particle_spacing));
+    for (const double side : {size.x(), size.y()}) {
+        if (spacing_fits(side, particle_spacing)) continue;
         char text[200];
         std::snprintf(text, sizeof text,
-                      "particle spacing %.6g m does not fit the side of %.6g m (%.2f particles); the nearest "
-                      "that do are "
-                      "%.6g and %.6g m",
-                      particle_spacing, side, side / particle_spacing, side / fewer, side / (fewer + 1));
+                      "particle spacing %.6g m does not fit the side of %.6g m (%.2f particles)",
+                      particle_spacing, side, side / particle_spacing);
         throw InputError(text);
     }
     const double volume = axes[0].spacing * axes[1].spacing;

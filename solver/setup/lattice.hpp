@@ -12,6 +12,9 @@ namespace wetdeck {
 /// `particle_spacing` by more than 2 %.
 void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_spacing, double density);
 
+/// Whether fill_box takes this spacing for a side of `length` [m].
+bool spacing_fits(double length, double particle_spacing);
+
 /// Layers of dummy particles around the inside of `tank`, as many as the kernel's support needs, the first
 /// half a spacing behind the face. Corner particles have the normal towards the corner. Where the tank is
 /// periodic along x, bed and lid alone, which run on beyond its ends by as many particles.

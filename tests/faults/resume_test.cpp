@@ -218,6 +218,8 @@ TEST_CASE("what cannot be resumed is refused in one line", "[faults]") {
         REQUIRE(outcome.one_line());
         REQUIRE_THAT(outcome.err, Contains(message));
     };
+    expect_refusal(2, "no such directory");
+    std::filesystem::create_directory(run);
     expect_refusal(2, "holds no checkpoint to go on from");
     {
         const auto program = started(run_into(scene, run), run, logs);

@@ -83,7 +83,8 @@ Judged judge(const AblationPair& pair, const Scene& scene, const std::vector<Run
     if (with.record.cost.core_s > 0)
         judged.row.core_s_ratio = without.record.cost.core_s / with.record.cost.core_s;
     for (const AblationValue& value : judged.values) {
-        if (value.name == scene.analysis.error_quantity) judged.row.error_change = value.change();
+        if (value.name == scene.analysis.error_quantity && value.expected)
+            judged.row.error_change = value.change();
     }
     return judged;
 }
@@ -133,7 +134,7 @@ void print_table(const std::vector<Judged>& table) {
         fmt::print("{:<54} {:>10} {:>10} {:>11}  {}{}\n", j.row.ingredient,
                    j.row.core_s_ratio ? fmt::format("x{:.2f}", *j.row.core_s_ratio) : "-",
                    j.row.error_change ? fmt::format("{:+.3g}", *j.row.error_change) : "-",
-                   j.verdict.needed ? "needed" : "not needed", j.verdict.reason,
+                   j.verdict.needed ? "needed" : "not shown", j.verdict.reason,
                    both ? "; " + changes_text(j) : "");
     }
     fmt::print("without it over with it, without it minus with it; {}\n", ablation_rule);

@@ -2,8 +2,11 @@
 #include "validation/execute/assemble.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/core/errors.hpp"
 #include "solver/probes/energy.hpp"
@@ -15,16 +18,55 @@
 namespace wetdeck {
 namespace {
 
+/// The spacing nearest to this one, finer or coarser, that fits every box of the scene and divides one of
+/// their sides; nothing within a factor of two.
+std::optional<double> nearest_fitting(const std::vector<Box>& boxes, double particle_spacing, bool finer) {
+    std::vector<double> sides;
+    for (const Box& box : boxes)
+        sides.insert(sides.end(), {(box.high - box.low).x(), (box.high - box.low).y()});
+    std::optional<double> nearest;
+    for (const double side : sides) {
+        const double in_side = side / particle_spacing;
+        const double first = finer ? std::floor(in_side) + 1 : std::floor(in_side);
+        const double last =
+            finer ? std::min(2 * in_side, first + 1e4) : std::max({1.0, 0.5 * in_side, first - 1e4});
+        for (double count = first; finer ? count <= last : count >= last; count += finer ? 1 : -1) {
+            const double spacing = side / count;
+            const auto fits = [spacing](double length) { return spacing_fits(length, spacing); };
+            if (!std::all_of(sides.begin(), sides.end(), fits)) continue;
+            if (!nearest || std::abs(spacing - particle_spacing) < std::abs(*nearest - particle_spacing))
+                nearest = spacing;
+            break;
+        }
+    }
+    return nearest;
+}
+
+/// "; fit: 0.02 and 0.025 m", or what there is of it.
+std::string fitting_text(const Scene& scene, double particle_spacing) {
+    std::vector<Box> boxes = scene.water_boxes;
+    if (scene.air) boxes.insert(boxes.end(), scene.air_boxes.begin(), scene.air_boxes.end());
+    std::vector<std::string> found;
+    for (const bool finer : {false, true}) {
+        if (const auto spacing = nearest_fitting(boxes, particle_spacing, finer))
+            found.push_back(fmt::format("{:.6g}", *spacing));
+    }
+    if (found.empty()) return "; none between half and twice that fits all boxes";
+    return fmt::format("; the nearest that fit all boxes: {} m", fmt::join(found, " and "));
+}
+
 FluidParticles fill(const Scene& scene, double particle_spacing) {
     FluidParticles fluid;
     const Model& model = scene.model;
-    for (const Box& box : scene.water_boxes) {
-        fill_box(fluid, Phase::water, box, particle_spacing, model.water.eos.reference_density);
-    }
-    if (scene.air) {
-        for (const Box& box : scene.air_boxes) {
-            fill_box(fluid, Phase::air, box, particle_spacing, model.air.eos.reference_density);
+    try {
+        for (const Box& box : scene.water_boxes)
+            fill_box(fluid, Phase::water, box, particle_spacing, model.water.eos.reference_density);
+        if (scene.air) {
+            for (const Box& box : scene.air_boxes)
+                fill_box(fluid, Phase::air, box, particle_spacing, model.air.eos.reference_density);
         }
+    } catch (const InputError& error) {
+        throw InputError(error.what() + fitting_text(scene, particle_spacing));
     }
     for (const BodySpec& body : scene.bodies) clear_fluid(fluid, body.outline, particle_spacing);
     return fluid;
@@ -89,6 +131,15 @@ void check_spacing(const Scene& scene, double particle_spacing) {
     fill(scene, particle_spacing);
     boundary(scene, particle_spacing);
     Recorders(scene, particle_spacing);
+}
+
+void check_row(const Scene& scene, const std::string& tier, double particle_spacing) {
+    try {
+        check_spacing(scene, particle_spacing);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: key 'tiers.{}.{}': {} m: {}", scene.path, tier, scene.variant,
+                                     particle_spacing, error.what()));
+    }
 }
 
 }  // namespace wetdeck

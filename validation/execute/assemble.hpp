@@ -43,4 +43,7 @@ void add_body_means(const Scene& scene, std::map<std::string, Series>& series);
 /// Throws InputError if the spacing does not fit the scene or its probes; nothing is run.
 void check_spacing(const Scene& scene, double particle_spacing);
 
+/// The same for a spacing of one of the scene's tiers; the error names file, variant and tier.
+void check_row(const Scene& scene, const std::string& tier, double particle_spacing);
+
 }  // namespace wetdeck

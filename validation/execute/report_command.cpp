@@ -198,6 +198,11 @@ Summary make_report(const fs::path& directory) {
     inputs.plotly = report::load_plotly();
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
     for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
+    for (const StressRow& row : summary.stress) {
+        std::ifstream picture(directory / row.picture, std::ios::binary);
+        if (row.picture.empty() || !picture) continue;
+        inputs.deaths[row.picture] = {std::istreambuf_iterator<char>(picture), {}};
+    }
     for (const RunSummary* run : finest_runs(summary)) {
         inputs.pictures[run->directory] =
             field_pictures(scenes.at(run->record.scene), run->record, directory / run->directory);
@@ -207,18 +212,28 @@ Summary make_report(const fs::path& directory) {
     return summary;
 }
 
-bool within_tolerance(const Summary& summary) {
-    if (!all_within(summary.verification)) return false;
-    for (const RunSummary* run : finest_runs(summary)) {
-        if (run->record.variant == "paper") continue;
-        for (const QuantityResult& q : run->quantities) {
-            if (q.within && !*q.within) return false;
-        }
-        for (const ComparisonResult& c : run->comparisons) {
-            if (c.available && !c.within) return false;
+std::vector<std::string> outside_tolerance(const Summary& summary) {
+    std::vector<std::string> outside;
+    for (const VerificationProblem& problem : summary.verification) {
+        if (!problem.unstable.empty()) outside.push_back(problem.name + ": a run died");
+        for (const VerificationRow& row : problem.rows) {
+            if (!row.within) outside.push_back(fmt::format("{}: {}", problem.name, row.claim.quantity));
         }
     }
-    return true;
+    for (const RunSummary* run : finest_runs(summary)) {
+        if (run->record.variant == "paper") continue;
+        const auto add = [&](const std::string& name) {
+            outside.push_back(fmt::format("{} {} dx {}: {}", run->record.scene, run->record.variant,
+                                          run->record.particle_spacing, name));
+        };
+        for (const QuantityResult& q : run->quantities) {
+            if (q.within && !*q.within) add(q.name);
+        }
+        for (const ComparisonResult& c : run->comparisons) {
+            if (c.available && !c.within) add(c.title);
+        }
+    }
+    return outside;
 }
 
 }  // namespace wetdeck

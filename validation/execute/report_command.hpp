@@ -26,8 +26,8 @@ Summary make_report(const std::filesystem::path& directory);
 void write_suite_plan(const std::filesystem::path& directory, const std::string& tier,
                       const std::vector<std::string>& run_directories);
 
-/// Whether every available comparison and expected quantity of the finest spacing of each variant but `paper`
-/// is within its tolerance.
-bool within_tolerance(const Summary& summary);
+/// Names of what lies outside its tolerance: claims of problems with exact solutions, and available
+/// comparisons and expected quantities of the finest spacing of each variant but `paper`.
+std::vector<std::string> outside_tolerance(const Summary& summary);
 
 }  // namespace wetdeck

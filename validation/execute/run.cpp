@@ -166,6 +166,7 @@ class Run {
         record.scene_path = scene_.path;
         provenance_.add_to(record.choices);
         record_parameters(record, scene_, simulation_);
+        if (end_ < scene_.end_time) record.parameters["run.until"] = end_;
         record.choices["reference_hashes"] =
             reference_hashes(scene_.analysis, reference_directory() / scene_.name());
         if (!scene_.overrides.empty())

@@ -52,9 +52,8 @@ void run_setting(StressRow& row, const Setting& setting, Scheme scheme, const fs
     if (!setting.beyond.empty()) row.note += " [not asked for: " + setting.beyond + "]";
     if (!outcome->death) return;
     const std::vector<unsigned char> picture = picture_of(*outcome->death);
-    const fs::path file = fs::path("stress") / file_name(row);
-    atomic_write(directory / file, {reinterpret_cast<const char*>(picture.data()), picture.size()});
-    row.note += "; " + file.string();
+    row.picture = (fs::path("stress") / file_name(row)).string();
+    atomic_write(directory / row.picture, {reinterpret_cast<const char*>(picture.data()), picture.size()});
 }
 
 void run_search(StressRow& row, const Search& search) {
@@ -86,7 +85,7 @@ std::vector<Task> tasks_of(const std::vector<Case>& cases, const StressOptions& 
                 if (options.fast && (!setting.quick || scheme != Scheme::standard)) continue;
                 const bool standard = scheme == Scheme::standard;
                 tasks.push_back(
-                    {{member.name, setting.name + (standard ? "" : ", " + name_of(scheme)), false, ""},
+                    {{member.name, setting.name + (standard ? "" : ", " + name_of(scheme)), false, "", ""},
                      standard && setting.beyond.empty(),
                      [&setting, scheme, &options](StressRow& row) {
                          run_setting(row, setting, scheme, options.directory);
@@ -96,7 +95,7 @@ std::vector<Task> tasks_of(const std::vector<Case>& cases, const StressOptions& 
         if (options.fast) continue;
         for (const Search& search : member.searches)
             tasks.push_back(
-                {{member.name, fmt::format("limit of {}: {}", search.name, search.quantity), false, ""},
+                {{member.name, fmt::format("limit of {}: {}", search.name, search.quantity), false, "", ""},
                  true,
                  [&search](StressRow& row) { run_search(row, search); }});
     }

@@ -17,6 +17,7 @@
 #include <set>
 
 #include "solver/core/errors.hpp"
+#include "validation/execute/assemble.hpp"
 #include "validation/execute/progress.hpp"
 #include "validation/execute/run.hpp"
 #include "validation/execute/stop_signal.hpp"
@@ -204,6 +205,7 @@ std::vector<SuiteRow> suite_rows(const SuiteOptions& options) {
         for (const auto& [variant, spacings] : tier->second) {
             const Scene varied = read_scene(path, variant);
             for (const double dx : spacings) {
+                check_row(varied, options.tier, dx);
                 rows.push_back({name,
                                 variant,
                                 dx,
@@ -288,10 +290,11 @@ int run_rows(const std::vector<SuiteRow>& rows, const SuiteOptions& options) {
         running.erase(child);
         const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
         if (told && code == 128 + SIGTERM) continue;  // as it was told
-        worst = std::max(worst, judge(row, status));
+        const int verdict = judge(row, status);
+        worst = std::max(worst, verdict);
         done += row.estimated_core_seconds;
         ++ended;
-        say(fmt::format("  {}: done ({} of {})\n", row_name(row), ended, waiting.size()));
+        if (code == 0) say(fmt::format("  {}: done ({} of {})\n", row_name(row), ended, waiting.size()));
     }
     if (const int signal = stop_signal(); signal != 0)
         throw Interrupted(

@@ -57,10 +57,12 @@ AblationVerdict ablation_verdict(bool stable_with, bool stable_without,
     if (!stable_with)
         return {false, stable_without ? "unstable with it, stable without" : "unstable with and without it"};
     if (!stable_without) return {true, "unstable without it"};
+    bool compared = false;
     for (const AblationValue& value : values) {
         if (value.with && !value.without) return {true, value.name + " is not reached without it"};
         const std::optional<double> change = value.change();
         if (!change) continue;
+        compared = compared || (value.expected ? value.tolerance : value.spread);
         if (value.expected && value.tolerance) {
             if (*change > telling_share_of_tolerance * *value.tolerance)
                 return {true, fmt::format("error of {} grows by {:.3g}, tolerance {:.3g}", value.name,
@@ -70,7 +72,8 @@ AblationVerdict ablation_verdict(bool stable_with, bool stable_without,
                                       *value.spread)};
         }
     }
-    return {false, "no number changes by more than the rule allows"};
+    return {false, compared ? "no number changes by more than the rule allows"
+                            : "nothing to compare: no quantity with a tolerance or with other spacings"};
 }
 
 }  // namespace wetdeck

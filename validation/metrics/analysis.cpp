@@ -26,7 +26,9 @@ void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& ref
         run.quantities.push_back(evaluate_quantity(quantity, run.record, references));
     }
     for (const ComparisonSpec& comparison : spec.comparisons) {
-        run.comparisons.push_back(compare(comparison, run.record, references));
+        ComparisonResult result = compare(comparison, run.record, references);
+        if (stopped_early(run.record) && !result.nrmse) result.available = false;
+        run.comparisons.push_back(std::move(result));
     }
 }
 
@@ -142,7 +144,7 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         append(summary.cheapest, cheapest_rows(summary.runs, spec));
         append(summary.peers, peer_points(spec, references));
         if (spec.error_quantity.empty()) continue;
-        append(summary.speed_error, speed_error_points(summary.runs, spec.scene, spec.error_quantity));
+        append(summary.speed_error, speed_error_points(summary.runs, spec, summary.convergence));
     }
     summary.statistics = class_statistics(summary.scatter);
     return summary;

@@ -156,10 +156,13 @@ class Reader {
     }
 
     void check_keys() {
+        std::vector<const char*> missing;
         for (const char* key : required_keys) {
-            if (!reference_.keys.contains(key))
-                fail(fmt::format("missing key '{}', expected '# {}: ...'", key, key));
+            if (!reference_.keys.contains(key)) missing.push_back(key);
         }
+        if (!missing.empty())
+            fail(fmt::format("missing key{} '{}', expected '# {}: ...'", missing.size() > 1 ? "s" : "",
+                             fmt::join(missing, "', '"), missing.front()));
         reference_.kind = reference_.keys.at("kind");
         reference_.citation = reference_.keys.at("citation");
     }

@@ -102,7 +102,7 @@ struct AnalysisSpec {
     std::vector<Deviation> deviations;
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::optional<SourceRun> source_run;
-    std::string error_quantity;  ///< the quantity whose value is the error of the speed-error diagram
+    std::string error_quantity;  ///< the quantity whose error the speed-error diagram shows
     std::string default_variant;
     std::filesystem::path folder;  ///< of the scene file: its own curves come before those of the program
 };

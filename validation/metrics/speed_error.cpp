@@ -11,16 +11,36 @@
 namespace wetdeck {
 namespace {
 
-std::optional<double> error_of(const RunSummary& run, const std::string& quantity) {
-    if (run.record.status != RunStatus::ok) return std::nullopt;
-    for (const QuantityResult& result : run.quantities) {
-        if (result.name == quantity) return result.value;
+/// The value without error, and where it comes from.
+struct Target {
+    double value = 0;
+    std::string against;
+};
+
+std::optional<Target> target_of(const QuantityResult& result, const RunRecord& record,
+                                const AnalysisSpec& scene, const std::vector<ConvergenceRow>& convergence) {
+    if (result.expected)
+        return Target{*result.expected,
+                      result.expected_source.empty() ? "the expected value" : result.expected_source};
+    for (const QuantitySpec& spec : scene.quantities) {
+        if (spec.name == result.name && spec.metric == "rms_difference")
+            return Target{0, "the curve " + spec.reference};
+    }
+    for (const ConvergenceRow& row : convergence) {
+        const bool same =
+            row.scene == record.scene && row.variant == record.variant && row.qoi == result.name;
+        if (same && row.extrapolated) return Target{*row.extrapolated, "its extrapolated value"};
     }
     return std::nullopt;
 }
 
+/// The same kind of error: a value that is extrapolated speaks for its own variant alone.
+bool comparable(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
+    return a.against == b.against && (a.against != "its extrapolated value" || a.variant == b.variant);
+}
+
 bool beats(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
-    if (!a.error) return false;
+    if (!a.error || !comparable(a, b)) return false;
     const bool no_worse = a.core_s <= b.core_s && *a.error <= *b.error;
     return no_worse && (a.core_s < b.core_s || *a.error < *b.error);
 }
@@ -28,8 +48,8 @@ bool beats(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
 /// Takes a run into the row if it is cheaper, or better, than what is there.
 void take(CheapestRow& row, const RunSummary& run, double error) {
     const RunRecord& record = run.record;
-    const SpeedErrorPoint point{record.scene,       record.variant, record.particle_spacing,
-                                record.cost.core_s, error,          false};
+    const SpeedErrorPoint point{record.scene, record.variant, record.particle_spacing, record.cost.core_s,
+                                error};
     const auto cheaper = [&](std::optional<SpeedErrorPoint>& place) {
         if (!place || point.core_s < place->core_s) place = point;
     };
@@ -50,13 +70,24 @@ std::optional<double> number_in(const Reference& reference, const std::string& k
 
 }  // namespace
 
-std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& runs, const std::string& scene,
-                                                const std::string& error_quantity) {
+std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& runs,
+                                                const AnalysisSpec& scene,
+                                                const std::vector<ConvergenceRow>& convergence) {
     std::vector<SpeedErrorPoint> points;
     for (const RunSummary& run : runs) {
-        if (run.record.scene != scene) continue;
-        points.push_back({scene, run.record.variant, run.record.particle_spacing, run.record.cost.core_s,
-                          error_of(run, error_quantity), false});
+        const RunRecord& record = run.record;
+        if (record.scene != scene.scene) continue;
+        SpeedErrorPoint point{scene.scene, record.variant, record.particle_spacing, record.cost.core_s, {}};
+        for (const QuantityResult& result : run.quantities) {
+            if (result.name != scene.error_quantity || !result.value || record.status != RunStatus::ok)
+                continue;
+            const std::optional<Target> target = target_of(result, record, scene, convergence);
+            if (!target) continue;
+            const double scale = target->value != 0 ? std::abs(target->value) : 1;
+            point.error = std::abs(*result.value - target->value) / scale;
+            point.against = target->against;
+        }
+        points.push_back(std::move(point));
     }
     for (SpeedErrorPoint& point : points) {
         point.pareto = point.error &&

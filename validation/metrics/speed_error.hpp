@@ -10,11 +10,15 @@
 
 namespace wetdeck {
 
-/// One point per run of the scene: processor seconds and the quantity `error_quantity` as the error. Runs
-/// that did not end well have no error. `pareto` marks, among the points that have one, those that no other
-/// point beats in one of cost and error without being worse in the other.
-std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& runs, const std::string& scene,
-                                                const std::string& error_quantity);
+/// One point per run of the scene: processor seconds, and how far its `error_quantity` is from the expected
+/// value, over that value where it is not zero. An rms difference to a curve is an error itself. What has no
+/// expected value is taken against the value to which the spacings of its variant converge. Runs that did not
+/// end well, and values that do not converge, have no error. `pareto` marks, among the points with an error
+/// against the same thing, those that no other point beats in one of cost and error without being worse in
+/// the other.
+std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& runs,
+                                                const AnalysisSpec& scene,
+                                                const std::vector<ConvergenceRow>& convergence);
 
 /// For every quantity with an expected value other than zero (relative error |S - D| / |D|) and every curve
 /// that is not another simulation's (nrmse): the cheapest sound run within 5 % and within 10 %, and the run

@@ -56,7 +56,8 @@ AblationRow ablation_row(const json& row) {
 
 StressRow stress_row(const json& row) {
     return {row.at("case").get<std::string>(), row.at("setting").get<std::string>(),
-            row.at("survived").get<bool>(), row.at("note").get<std::string>()};
+            row.at("survived").get<bool>(), row.at("note").get<std::string>(),
+            row.value("picture", std::string())};
 }
 
 }  // namespace
@@ -71,8 +72,10 @@ json ablation_json(const AblationRow& row) {
 }
 
 json stress_json(const StressRow& row) {
-    return {
+    json out = {
         {"case", row.stress_case}, {"setting", row.setting}, {"survived", row.survived}, {"note", row.note}};
+    if (!row.picture.empty()) out["picture"] = row.picture;
+    return out;
 }
 
 void write_ablation(const fs::path& directory, const std::vector<AblationRow>& rows) {

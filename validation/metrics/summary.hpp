@@ -51,7 +51,8 @@ struct ComparisonResult {
     double tolerance = 0;
     bool within =
         false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
-    bool available = true;  ///< false: there is no such reference file; neither a success nor a failure
+    bool available = true;  ///< false: no such reference file, or a run that was asked to stop before the
+                            ///< window; neither a success nor a failure
     std::string note;
     std::string x_label;
     std::string y_label;
@@ -153,8 +154,9 @@ struct PeerPoint {
 struct SpeedErrorPoint {
     std::string scene, variant;
     double dx = 0, core_s = 0;
-    std::optional<double> error;
+    std::optional<double> error;  ///< see speed_error.hpp
     bool pareto = false;
+    std::string against = {};  ///< where the value without error comes from
 };
 
 /// The cheapest run of a scene that meets one value or curve to a given relative error.
@@ -179,6 +181,7 @@ struct StressRow {
     std::string stress_case, setting;
     bool survived = false;
     std::string note;
+    std::string picture = {};  ///< of the death: a file, relative to the directory; empty if there is none
 };
 
 /// Whether a specification speaks for a run.

@@ -211,7 +211,8 @@ json cheapest_json(const CheapestRow& row) {
 
 json speed_error_json(const SpeedErrorPoint& point) {
     return {{"scene", point.scene},           {"variant", point.variant},     {"dx", number(point.dx)},
-            {"core_s", number(point.core_s)}, {"error", number(point.error)}, {"pareto", point.pareto}};
+            {"core_s", number(point.core_s)}, {"error", number(point.error)}, {"against", point.against},
+            {"pareto", point.pareto}};
 }
 
 template <typename Item>

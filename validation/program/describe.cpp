@@ -45,7 +45,7 @@ void print_list(bool as_json) {
     for (const auto& scene : scenes) {
         fmt::print("  {}  {}\n", scene["name"].get<std::string>(), scene["title"].get<std::string>());
         for (const auto& v : scene["variants"]) {
-            fmt::print("      {:14} {}\n", v["name"].get<std::string>(), v["description"].get<std::string>());
+            fmt::print("      {:20} {}\n", v["name"].get<std::string>(), v["description"].get<std::string>());
         }
     }
     fmt::print("Problems with exact solutions (wetdeck verify)\n");

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -26,6 +27,7 @@
 #include "validation/program/completion.hpp"
 #include "validation/program/describe.hpp"
 #include "validation/program/manual.hpp"
+#include "validation/scene/plausibility.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
@@ -111,6 +113,9 @@ int run_command(const Options& options) {
 }
 
 int resume_command(const Options& options) {
+    if (!fs::is_directory(options.out))
+        throw InputError(
+            fmt::format("{}: no such directory, expected that of an interrupted run", options.out));
     if (holds_finished_run(options.out)) {
         const RunRecord record = read_run(run_file(options.out));
         if (!options.json) fmt::print("the run had ended before, nothing is left to be done\n");
@@ -119,6 +124,18 @@ int resume_command(const Options& options) {
     }
     const auto [scene, run] = interrupted_run(options.out);
     return finish_run(scene, run, options);
+}
+
+/// Says where the report lies and why the program does not end with 0.
+int tell_report(const Summary& summary, const fs::path& directory) {
+    fmt::print("report: {}\n", (directory / "index.html").string());
+    const std::vector<std::string> outside = outside_tolerance(summary);
+    if (outside.empty()) return exit_done;
+    constexpr std::size_t most = 3;
+    fmt::print("outside tolerance ({}; all are under Failures in the report):\n", outside.size());
+    for (std::size_t k = 0; k < std::min(most, outside.size()); ++k) fmt::print("  {}\n", outside[k]);
+    if (outside.size() > most) fmt::print("  and {} more\n", outside.size() - most);
+    return exit_outside;
 }
 
 int suite_command(Options& options) {
@@ -134,10 +151,8 @@ int suite_command(Options& options) {
     write_suite_plan(suite.directory, suite.tier, planned);
     if (options.executor == "slurm") return submit_suite(suite, options.slurm), exit_done;
     const int worst = run_suite(suite);
-    const Summary summary = make_report(suite.directory);
-    fmt::print("report: {}\n", (suite.directory / "index.html").string());
-    if (worst != 0) return worst;
-    return within_tolerance(summary) ? exit_done : exit_outside;
+    const int judged = tell_report(make_report(suite.directory), suite.directory);
+    return worst != 0 ? worst : judged;
 }
 
 int verify_command(Options& options) {
@@ -184,14 +199,15 @@ int stress_command(Options& options) {
 
 int report_command(const Options& options) {
     const Summary summary = make_report(options.out);
-    fmt::print("report: {}\n", (fs::path(options.out) / "index.html").string());
+    const int judged = tell_report(summary, options.out);
     if (!options.publish.empty()) publish(summary, options.out, options.publish);
-    return within_tolerance(summary) ? exit_done : exit_outside;
+    return judged;
 }
 
 int baseline_command(const Options& options) {
     if (options.action == "write") {
         write_baseline(options.out, options.baseline, options.replace);
+        fmt::print("baseline: {}\n", options.baseline);
         return exit_done;
     }
     const std::vector<std::string> deviations = compare_with_baseline(options.out, options.baseline);
@@ -229,17 +245,21 @@ nlohmann::json checked(const std::string& file) {
     }
     const Scene scene = read_scene(file);
     const std::set<std::string> missing = missing_references(scene);
-    std::vector<std::string> variants;
+    std::vector<std::string> variants, doubts;
     for (const VariantInfo& variant : scene.variants) {
         variants.push_back(variant.name);
         const Scene varied = read_scene(file, variant.name);
+        for (const std::string& doubt : doubtful(varied)) {
+            if (std::find(doubts.begin(), doubts.end(), doubt) == doubts.end()) doubts.push_back(doubt);
+        }
         for (const auto& [tier, spacings_of] : varied.tiers) {
             const auto spacings = spacings_of.find(variant.name);
             if (spacings == spacings_of.end()) continue;
-            for (const double dx : spacings->second) check_spacing(varied, dx);
+            for (const double dx : spacings->second) check_row(varied, tier, dx);
         }
     }
-    return {{"scene", scene.name()}, {"variants", variants}, {"missing_references", missing}};
+    return {
+        {"scene", scene.name()}, {"variants", variants}, {"missing_references", missing}, {"doubts", doubts}};
 }
 
 int check_command(const Options& options) {
@@ -258,9 +278,10 @@ int check_command(const Options& options) {
                        found["scene"].get<std::string>(), found["variants"].size());
             for (const auto& name : found["missing_references"])
                 fmt::print(
-                    "no file {}.csv beside the scene or in reference_data/: its comparison will be left "
-                    "out\n",
+                    "no file {}.csv beside the scene or in reference_data/: its comparison will be "
+                    "left out\n",
                     name.get<std::string>());
+            for (const auto& doubt : found["doubts"]) fmt::print("meant so? {}\n", doubt.get<std::string>());
         } else {
             fmt::print("{}: {} reference, {} columns, no error found\n", file,
                        found["kind"].get<std::string>(), found["columns"].get<int>());

@@ -59,6 +59,17 @@ toml::table parse(const std::string& text, const std::string& path) {
     }
 }
 
+/// Whether one letter added, dropped or swapped with its neighbour makes one word the other; a changed one
+/// would take y_column for x_column.
+bool is_slip_of(std::string given, std::string meant) {
+    if (given.size() < meant.size()) std::swap(given, meant);
+    if (given.size() - meant.size() > 1) return false;
+    const auto [a, b] = std::mismatch(given.begin(), given.end(), meant.begin(), meant.end());
+    const std::string_view rest(a, given.end()), other(b, meant.end());
+    if (given.size() > meant.size()) return rest.substr(1) == other;
+    return rest.size() > 1 && rest[0] == other[1] && rest[1] == other[0] && rest.substr(2) == other.substr(2);
+}
+
 }  // namespace
 
 // --- tables
@@ -69,6 +80,15 @@ void TomlTable::fail(const std::string& key, const std::string& message) const {
     const toml::source_region& region = entry ? entry->source() : node_->table->source();
     throw InputError(
         fmt::format("{}: key '{}{}': {}", place(*node_->path, region), node_->prefix, key, message));
+}
+
+void TomlTable::fail_missing(const std::string& key, const std::string& expected) const {
+    for (const auto& [name, value] : *node_->table) {
+        const std::string given(name.str());
+        if (!node_->known.count(given) && is_slip_of(given, key))
+            fail(given, fmt::format("unknown; '{}' is missing, {}", key, expected));
+    }
+    fail(key, "missing, " + expected);
 }
 
 bool TomlTable::has(const std::string& key) const {
@@ -85,7 +105,7 @@ std::optional<double> TomlTable::optional_number(const std::string& key) const {
 
 double TomlTable::number(const std::string& key) const {
     const std::optional<double> value = optional_number(key);
-    if (!value) fail(key, "missing, expected a number");
+    if (!value) fail_missing(key, "expected a number");
     return *value;
 }
 
@@ -107,7 +127,7 @@ bool TomlTable::boolean_or(const std::string& key, bool fallback) const {
 }
 
 std::string TomlTable::text(const std::string& key) const {
-    if (!has(key)) fail(key, "missing, expected a text");
+    if (!has(key)) fail_missing(key, "expected a text");
     const std::optional<std::string> value = node_->table->get(key)->value_exact<std::string>();
     if (!value) fail(key, "expected a text in quotes");
     return *value;
@@ -131,7 +151,7 @@ std::string TomlTable::choice(const std::string& key, const std::vector<std::str
 std::vector<double> TomlTable::numbers(const std::string& key, std::optional<std::size_t> count) const {
     const std::string expected = count ? fmt::format("expected a list of {} numbers", *count)
                                        : std::string("expected a list of numbers");
-    if (!has(key)) fail(key, "missing, " + expected);
+    if (!has(key)) fail_missing(key, expected);
     const toml::array* array = node_->table->get(key)->as_array();
     if (!array || (count && array->size() != *count)) fail(key, expected);
     std::vector<double> values;
@@ -145,7 +165,7 @@ std::vector<double> TomlTable::numbers(const std::string& key, std::optional<std
 
 std::vector<std::vector<double>> TomlTable::number_rows(const std::string& key, std::size_t count) const {
     const std::string expected = fmt::format("expected a list of lists of {} numbers", count);
-    if (!has(key)) fail(key, "missing, " + expected);
+    if (!has(key)) fail_missing(key, expected);
     const toml::array* array = node_->table->get(key)->as_array();
     if (!array) fail(key, expected);
     std::vector<std::vector<double>> rows;
@@ -184,7 +204,7 @@ std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const
 
 TomlTable TomlTable::table(const std::string& key) const {
     std::optional<TomlTable> child = optional_table(key);
-    if (!child) fail(key, "missing, expected a table");
+    if (!child) fail_missing(key, "expected a table");
     return *child;
 }
 

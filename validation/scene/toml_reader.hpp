@@ -42,6 +42,8 @@ class TomlTable {
     void finish() const;
     /// Throws InputError "file:line: key 'a.b': message" about an entry of this table.
     [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+    /// Throws for a key that is not there; an unknown one that is its slip of the pen is named instead.
+    [[noreturn]] void fail_missing(const std::string& key, const std::string& expected) const;
 
   private:
     friend class TomlDocument;

@@ -53,4 +53,9 @@ struct RunRecord {
     RunCost cost;
 };
 
+/// Whether the run was asked to stop before its scene's end: what it did not get to is no failure of it.
+inline bool stopped_early(const RunRecord& record) {
+    return record.parameters.count("run.until") > 0;
+}
+
 }  // namespace wetdeck

@@ -92,8 +92,31 @@ TEST_CASE("Runs that did not end well stay out of convergence and of error again
     CHECK(summary.runs[2].quantities.size() == 2);
 }
 
+TEST_CASE("An error is the distance from the expected value, over that value", "[analysis]") {
+    AnalysisSpec spec = scene();
+    spec.quantities[0].expected = 5;
+    spec.quantities[0].expected_source = "a tank";
+    const auto points =
+        analyse({spec}, {run("a", 0.04, 1, -3), run("a", 0.02, 8, 0.5)}, references).speed_error;
+    REQUIRE(points.size() == 2);
+    CHECK(points[0].error.value() == Approx(2.0 / 5));  // a front of 3 m
+    CHECK(points[1].error.value() == Approx(1.5 / 5));  // and of 6.5 m
+    CHECK(points[1].against == "a tank");
+}
+
+TEST_CASE("Where nothing is expected the error is the distance from what the spacings converge to",
+          "[analysis]") {
+    const auto points = analyse({scene()}, sweep(), references).speed_error;
+    REQUIRE(points.size() == 4);
+    CHECK(points[0].error.value() == Approx(0.16 / 6));
+    CHECK(points[2].error.value() == Approx(0.01 / 6));
+    CHECK_FALSE(points[3].error.has_value());  // one spacing converges to nothing
+}
+
 TEST_CASE("A run that another beats in cost and error is not on the Pareto front", "[analysis]") {
-    const Summary summary = analyse({scene()}, sweep(), references);
+    AnalysisSpec spec = scene();
+    spec.quantities[0].expected = 6;
+    const Summary summary = analyse({spec}, sweep(), references);
     REQUIRE(summary.speed_error.size() == 4);
     CHECK(summary.speed_error[0].pareto);
     CHECK(summary.speed_error[1].pareto);
@@ -102,8 +125,9 @@ TEST_CASE("A run that another beats in cost and error is not on the Pareto front
 }
 
 TEST_CASE("Two runs with the same cost and error are both on the Pareto front", "[analysis]") {
-    const Summary summary =
-        analyse({scene()}, {run("a", 0.02, 8, 0.04), run("b", 0.02, 8, 0.04)}, references);
+    AnalysisSpec spec = scene();
+    spec.quantities[0].expected = 6;
+    const Summary summary = analyse({spec}, {run("a", 0.02, 8, 0.04), run("b", 0.02, 8, 0.04)}, references);
     CHECK(summary.speed_error[0].pareto);
     CHECK(summary.speed_error[1].pareto);
 }

@@ -113,6 +113,19 @@ TEST_CASE("a missing key is named, with what was expected") {
                  EndsWith("key 'compare[0].tolerance': missing, expected a number"));
 }
 
+TEST_CASE("a slip of the pen is named in place of the key that it leaves missing") {
+    const auto slip = [](const std::string& key, const std::string& written) {
+        std::string text = small_scene;
+        return refusal(text.replace(text.find(key), key.size(), written));
+    };
+    for (const char* written : {"end_tim", "end_timee", "end_tiem"}) {
+        REQUIRE_THAT(slip("end_time", written),
+                     EndsWith(std::string("key 'run.") + written +
+                              "': unknown; 'end_time' is missing, expected a number"));
+    }
+    REQUIRE_THAT(slip("end_time", "stop_time"), EndsWith("key 'run.end_time': missing, expected a number"));
+}
+
 TEST_CASE("a missing key of a section is placed at the section") {
     const std::string text = without("end_time = 0.2\n");
     REQUIRE_THAT(refusal(text), Catch::StartsWith(place(text, "[run]", "run.end_time")));

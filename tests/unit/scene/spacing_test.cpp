@@ -22,11 +22,13 @@ TEST_CASE("a spacing that divides every side is taken") {
     REQUIRE_NOTHROW(check_spacing(small(), 0.04));
 }
 
-TEST_CASE("a spacing that does not fit a side is refused with the nearest that do") {
+TEST_CASE("a spacing that does not fit a side is refused with the nearest that fit all") {
     REQUIRE_THROWS_AS(check_spacing(small(), 0.07), InputError);
     REQUIRE_THROWS_WITH(check_spacing(small(), 0.07),
                         Contains("particle spacing 0.07 m does not fit the side of 0.4 m (5.71 particles)") &&
-                            Contains("the nearest that do are 0.08 and 0.0666667 m"));
+                            Contains("the nearest that fit all boxes: 0.04 m"));
+    // not 0.08 nor 0.0667: the air above is 0.28 m high
+    for (const double no : {0.08, 0.0666667, 0.05}) REQUIRE_THROWS_AS(check_spacing(small(), no), InputError);
 }
 
 TEST_CASE("a spacing that is not a positive number is refused") {

@@ -45,12 +45,15 @@ TEST_CASE("The masses of a box add up to density times area, also where the spac
     CHECK(fluid.state[5].volume == Approx(fluid.mass[5] / 1000).epsilon(1e-15));
 }
 
-TEST_CASE("A spacing that does not fit is refused with the nearest ones that do", "[lattice]") {
+TEST_CASE("A spacing that does not fit is refused with the side that it does not fit", "[lattice]") {
     // 0.63 / 0.05 = 12.6: 13 particles would be 3 % too close
     CHECK_THROWS_AS(box_of_water({0.63, 0.3}, 0.05), InputError);
-    CHECK_THROWS_WITH(box_of_water({0.63, 0.3}, 0.05),
-                      Catch::Contains("0.05 m does not fit the side of 0.63 m") &&
-                          Catch::Contains("12.60 particles") && Catch::Contains("0.0525 and 0.0484615 m"));
+    CHECK_THROWS_WITH(
+        box_of_water({0.63, 0.3}, 0.05),
+        Catch::Contains("0.05 m does not fit the side of 0.63 m") && Catch::Contains("12.60 particles"));
+    CHECK(spacing_fits(0.3, 0.05));
+    CHECK_FALSE(spacing_fits(0.63, 0.05));
+    CHECK(spacing_fits(0.63, 0.048));  // 13 of 0.04846, 1 % wider
     CHECK_THROWS_WITH(box_of_water({0.3, 0.63}, 0.05), Catch::Contains("side of 0.63 m"));
 }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a scene may mean, but what is more often a slip: of a unit, a sign, a place.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/scene/scene.hpp"
+
+namespace wetdeck {
+
+/// One line for each of these: the water's sound speed is below ten times the fastest speed to expect (then
+/// it is compressed by more than 1 %), a body starts in the water, a body is more than 30 times heavier or
+/// 60 times lighter than the water it would displace.
+std::vector<std::string> doubtful(const Scene& scene);
+
+}  // namespace wetdeck
