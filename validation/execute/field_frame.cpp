@@ -10,12 +10,12 @@ FieldFrame frame_of(const Simulation& simulation, const std::string& provenance)
     frame.provenance = provenance;
     const auto add = [&frame](double x, double y, double vx, double vy, double p, double rho, int phase,
                               std::int64_t id) {
-        frame.x.push_back(x);
-        frame.y.push_back(y);
-        frame.vx.push_back(vx);
-        frame.vy.push_back(vy);
-        frame.pressure.push_back(p);
-        frame.density.push_back(rho);
+        frame.x.push_back(static_cast<float>(x));
+        frame.y.push_back(static_cast<float>(y));
+        frame.vx.push_back(static_cast<float>(vx));
+        frame.vy.push_back(static_cast<float>(vy));
+        frame.pressure.push_back(static_cast<float>(p));
+        frame.density.push_back(static_cast<float>(rho));
         frame.phase.push_back(phase);
         frame.id.push_back(id);
     };

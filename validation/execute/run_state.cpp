@@ -83,8 +83,9 @@ FieldFrame frame_in(const Checkpoint& checkpoint) {
     FieldFrame frame;
     frame.time = checkpoint.number(frame_prefix + "time");
     for_each_column(frame, [&](const char* name, auto& values) {
-        const std::vector<double>& stored = checkpoint.array(frame_prefix + name);
-        values.assign(stored.begin(), stored.end());
+        values.clear();
+        for (const double stored : checkpoint.array(frame_prefix + name))
+            values.push_back(static_cast<typename std::decay_t<decltype(values)>::value_type>(stored));
     });
     return frame;
 }

@@ -9,6 +9,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -65,10 +66,10 @@ void require_equal_lengths(const FieldFrame& frame) {
 void add_geometry(vtkPolyData* data, const FieldFrame& frame) {
     const auto count = static_cast<vtkIdType>(frame.x.size());
     vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
+    points->SetDataTypeToFloat();
     points->SetNumberOfPoints(count);
     vtkNew<vtkCellArray> vertices;
-    vtkNew<vtkDoubleArray> velocity;
+    vtkNew<vtkFloatArray> velocity;
     velocity->SetName("velocity");
     velocity->SetNumberOfComponents(3);
     velocity->SetNumberOfTuples(count);
@@ -94,10 +95,11 @@ vtkDataArray* require_array(vtkPolyData* data, const char* name, int components,
     return array;
 }
 
-std::vector<double> read_doubles(vtkPolyData* data, const char* name, const std::filesystem::path& path) {
+std::vector<float> read_floats(vtkPolyData* data, const char* name, const std::filesystem::path& path) {
     vtkDataArray* array = require_array(data, name, 1, path);
-    std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = array->GetTuple1(static_cast<vtkIdType>(i));
+    std::vector<float> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(array->GetTuple1(static_cast<vtkIdType>(i)));
     return values;
 }
 
@@ -118,10 +120,10 @@ std::vector<Value> read_integers(vtkPolyData* data, const char* name, const std:
 void read_points(vtkPolyData* data, FieldFrame& frame, const std::filesystem::path& path) {
     vtkDataArray* velocity = require_array(data, "velocity", 3, path);
     for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i) {
-        frame.x.push_back(data->GetPoint(i)[0]);
-        frame.y.push_back(data->GetPoint(i)[1]);
-        frame.vx.push_back(velocity->GetComponent(i, 0));
-        frame.vy.push_back(velocity->GetComponent(i, 1));
+        frame.x.push_back(static_cast<float>(data->GetPoint(i)[0]));
+        frame.y.push_back(static_cast<float>(data->GetPoint(i)[1]));
+        frame.vx.push_back(static_cast<float>(velocity->GetComponent(i, 0)));
+        frame.vy.push_back(static_cast<float>(velocity->GetComponent(i, 1)));
     }
 }
 
@@ -131,8 +133,8 @@ std::string vtp_bytes(const FieldFrame& frame) {
     require_equal_lengths(frame);
     vtkNew<vtkPolyData> data;
     add_geometry(data, frame);
-    add_array<vtkDoubleArray>(data, "pressure", frame.pressure);
-    add_array<vtkDoubleArray>(data, "density", frame.density);
+    add_array<vtkFloatArray>(data, "pressure", frame.pressure);
+    add_array<vtkFloatArray>(data, "density", frame.density);
     add_array<vtkIntArray>(data, "phase", frame.phase);
     add_array<vtkTypeInt64Array>(data, "id", frame.id);
     data->GetPointData()->SetActiveScalars("pressure");  // what ParaView colours by at first
@@ -187,8 +189,8 @@ FieldFrame read_frame(const std::filesystem::path& path) {
     if (provenance != nullptr && provenance->GetNumberOfValues() == 1)
         frame.provenance = provenance->GetVariantValue(0).ToString();
     read_points(data, frame, path);
-    frame.pressure = read_doubles(data, "pressure", path);
-    frame.density = read_doubles(data, "density", path);
+    frame.pressure = read_floats(data, "pressure", path);
+    frame.density = read_floats(data, "density", path);
     frame.phase = read_integers<int>(data, "phase", path);
     frame.id = read_integers<std::int64_t>(data, "id", path);
     return frame;

@@ -124,8 +124,9 @@ std::vector<unsigned char> picture_of(const Death& death) {
     double low = 0, high = 1, fastest = 1e-9;
     for (std::size_t i = 0; i < f.x.size(); ++i) {
         if ((Vec2(f.x[i], f.y[i]) - death.place).cwiseAbs().maxCoeff() > reach) continue;
-        if (f.phase[i] == 0) low = std::min(low, f.pressure[i]), high = std::max(high, f.pressure[i]);
-        if (f.phase[i] == 1) fastest = std::max(fastest, std::hypot(f.vx[i], f.vy[i]));
+        if (f.phase[i] == 0)
+            low = std::min<double>(low, f.pressure[i]), high = std::max<double>(high, f.pressure[i]);
+        if (f.phase[i] == 1) fastest = std::max<double>(fastest, std::hypot(f.vx[i], f.vy[i]));
     }
     options.water_min = low;
     options.water_max = high;

@@ -20,10 +20,10 @@ namespace {
 FieldFrame particles(const std::vector<std::array<double, 2>>& places, const std::vector<int>& phases) {
     FieldFrame frame;
     for (const auto& [x, y] : places) {
-        frame.x.push_back(x);
-        frame.y.push_back(y);
+        frame.x.push_back(static_cast<float>(x));
+        frame.y.push_back(static_cast<float>(y));
     }
-    frame.vx = frame.vy = frame.pressure = frame.density = std::vector<double>(places.size(), 0.0);
+    frame.vx = frame.vy = frame.pressure = frame.density = std::vector<float>(places.size(), 0.0F);
     frame.phase = phases;
     frame.id.resize(places.size());
     return frame;
@@ -127,7 +127,7 @@ TEST_CASE("particles outside the box, at its edge or without a place do no harm"
 
 TEST_CASE("water without a value is grey", "[store][raster]") {
     FieldFrame frame = particles({{0.5, 0.5}}, {0});
-    frame.pressure = {std::numeric_limits<double>::quiet_NaN()};
+    frame.pressure = {std::numeric_limits<float>::quiet_NaN()};
     const Rgb colour = Picture(frame, two_by_one()).at(50, 50);
     REQUIRE((colour[0] == colour[1] && colour[1] == colour[2] && colour != white));
 }

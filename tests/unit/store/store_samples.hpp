@@ -62,9 +62,10 @@ inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
 }
 
 /// Bit by bit, so that NaN and -0 count.
-inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+template <class Real>
+bool same_bits(const std::vector<Real>& a, const std::vector<Real>& b) {
     return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Real)) == 0);
 }
 
 inline bool same(const Series& a, const Series& b) {
@@ -128,13 +129,13 @@ inline FieldFrame frame(double time, std::size_t particles = 400) {
     FieldFrame result;
     result.time = time;
     for (std::size_t i = 0; i < particles; ++i) {
-        const auto k = static_cast<double>(i);
-        result.x.push_back(0.1 * std::fmod(k, 20.0));
-        result.y.push_back(0.1 * std::floor(k / 20.0));
-        result.vx.push_back(std::cos(k) + time);
-        result.vy.push_back(-1.0 / (k + 3));
-        result.pressure.push_back(1e3 * std::sin(k));
-        result.density.push_back(1000 + 1e-9 * k);
+        const auto k = static_cast<float>(i);
+        result.x.push_back(0.1F * std::fmod(k, 20.0F));
+        result.y.push_back(0.1F * std::floor(k / 20.0F));
+        result.vx.push_back(std::cos(k) + static_cast<float>(time));
+        result.vy.push_back(-1.0F / (k + 3));
+        result.pressure.push_back(1e3F * std::sin(k));
+        result.density.push_back(1000 + 1e-4F * k);
         result.phase.push_back(static_cast<int>(i % 4));
         result.id.push_back(std::numeric_limits<std::int64_t>::max() - static_cast<std::int64_t>(i));
     }
