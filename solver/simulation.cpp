@@ -240,6 +240,7 @@ double Simulation::momentum_error(PassInput in, const FluidParticles& fluid,
 /// The pressure convection rate grad(p).v from the momentum equation itself: grad(p) = -rho (dv/dt - g), Eq.
 /// (15).
 void Simulation::mark_impacts() {
+    const StageTimer timer(stages_.integration);
     const double fastest = std::max(fastest_[0], fastest_[1]);
     const double g = model_.gravity.norm();
     const auto size = static_cast<std::int64_t>(fluid_.size());
@@ -253,23 +254,11 @@ void Simulation::mark_impacts() {
     }
 }
 
-void Simulation::first_kick(double dt) {
-    const StageTimer timer(stages_.integration);
-    if (model_.dissipation_switch) mark_impacts();
-    const double half = 0.5 * dt;
-    for (RigidBody& body : bodies_) body.kick(half);
-    const auto size = static_cast<std::int64_t>(fluid_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_)
-    for (std::int64_t n = 0; n < size; ++n) {
-        const auto i = static_cast<std::size_t>(n);
-        fluid_.state[i].vx += half * fluid_.acceleration_x[i];
-        fluid_.state[i].vy += half * fluid_.acceleration_y[i];
-    }
-}
-
-/// Moves all fluid and the bodies. Returns whether the list is still complete: no particle further from where
-/// it was built than allowed.
-bool Simulation::drift(double duration) {
+/// Moves all fluid and the bodies over half a step, after the first half kick if there is one: both in one
+/// sweep over the particles. Returns whether the list is still complete: no particle further from where it
+/// was built than allowed.
+template <bool Kick>
+bool Simulation::drift(double half) {
     const StageTimer timer(stages_.integration);
     const double* built = list_.built_positions();
     double farthest = 0;
@@ -278,12 +267,19 @@ bool Simulation::drift(double duration) {
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         FluidState& p = fluid_.state[i];
-        p.x += duration * p.vx;
-        p.y += duration * p.vy;
+        if constexpr (Kick) {
+            p.vx += half * fluid_.acceleration_x[i];
+            p.vy += half * fluid_.acceleration_y[i];
+        }
+        p.x += half * p.vx;
+        p.y += half * p.vy;
         const double mx = p.x - built[2 * i], my = p.y - built[2 * i + 1];
         farthest = std::max(farthest, mx * mx + my * my);
     }
-    for (RigidBody& body : bodies_) body.drift(duration);
+    for (RigidBody& body : bodies_) {
+        if (Kick) body.kick(half);
+        body.drift(half);
+    }
     const bool bodies_near = place_bodies();
     return bodies_near && farthest <= list_.allowance() * list_.allowance();
 }
@@ -349,12 +345,12 @@ std::optional<Instability> Simulation::step(double longest) {
     const TimeStep stable = stable_step();
     time_step_ = stable;
     const double dt = std::min(longest, stable.size);
-    first_kick(dt);
-    if (!drift(0.5 * dt)) build_list();
+    if (model_.dissipation_switch) mark_impacts();
+    if (!drift<true>(0.5 * dt)) build_list();
     if (model_.wall_velocity == WallVelocity::mirrored) wall_pass();
     density_pass();
     update_density(dt);
-    if (!drift(0.5 * dt)) build_list();
+    if (!drift<false>(0.5 * dt)) build_list();
     wall_pass();
     momentum_pass();
     load_bodies();

@@ -117,8 +117,8 @@ class Simulation {
     double momentum_error(PassInput in, const FluidParticles& fluid, const WallParticles& walls) const;
     TimeStep stable_step() const;
     void build_list();
-    void first_kick(double dt);
-    bool drift(double duration);
+    template <bool Kick>
+    bool drift(double half);
     std::optional<Instability> last_kick(double dt);
     std::optional<Instability> body_trouble(double dt) const;
     void mark_impacts();
