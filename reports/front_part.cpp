@@ -69,13 +69,6 @@ std::string runs_table(const Summary& summary) {
             }
         }
     }
-    for (const std::string& missing : summary.missing) {
-        const Cell badge = markup("<span class=\"badge bad\">missing</span>");
-        std::vector<Cell> cells(10, text("—"));
-        cells[0] = text(missing);
-        cells[3] = badge;
-        table.add(cells);
-    }
     return table.empty() ? paragraph("There are no runs.", "notice") : table.html();
 }
 

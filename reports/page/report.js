@@ -60,7 +60,7 @@
     const figure = JSON.parse(box.nextElementSibling.textContent);
     const entries = figure.data.filter((trace) => trace.showlegend);
     const longest = Math.max(0, ...entries.map((trace) => trace.name.length));
-    const letters = (columns) => Math.floor((box.clientWidth / columns - 70) / 6.5);  // of a legend's line
+    const letters = (columns) => Math.floor((box.clientWidth / columns - 55) / 6.5);  // of a legend's line
     const columns = longest <= letters(2) ? 2 : 1;
     let lines = 0;
     for (const trace of entries) {
@@ -78,7 +78,7 @@
       hoverlabel: { namelength: -1 },
       plot_bgcolor: '#ffffff',
       paper_bgcolor: '#ffffff',
-      legend: { orientation: 'h', x: 0, xanchor: 'left', y: 0, yref: 'container', yanchor: 'bottom',
+      legend: { orientation: 'h', x: 0, xref: 'container', xanchor: 'left', y: 0, yref: 'container', yanchor: 'bottom',
                 entrywidthmode: 'fraction', entrywidth: 0.98 / columns, font: { size: 12 } },
     });
     window.Plotly.newPlot(box, figure.data, figure.layout,
