@@ -80,6 +80,21 @@ json references_of(const Scene& scene) {
     return all;
 }
 
+/// What every run of the scene records beside its probes.
+json series_of(const Scene& scene) {
+    json all = json::array();
+    const auto add = [&all](const std::vector<SeriesInfo>& list) {
+        for (const SeriesInfo& s : list)
+            all.push_back({{"name", s.name}, {"unit", s.unit}, {"description", s.description}});
+    };
+    add(every_run_series());
+    if (!scene.bodies.empty()) {
+        add(recorded_body_series());
+        add(derived_body_series());
+    }
+    return all;
+}
+
 json costs_of(const Scene& scene, const std::filesystem::path& path) {
     json all = json::array();
     for (const auto& [tier, variants] : scene.tiers) {
@@ -116,6 +131,7 @@ json description(const std::string& name) {
                 {"bodies", json::array()},
                 {"probes", json::array()},
                 {"deviations", json::array()},
+                {"series", series_of(scene)},
                 {"references", references_of(scene)},
                 {"cost", costs_of(scene, path)}};
     if (scene.air) all["air"] = material_json(scene.model.air);
@@ -157,6 +173,9 @@ void print_description(const std::string& name, bool as_json) {
     fmt::print("\nProbes\n");
     for (const json& probe : all["probes"])
         fmt::print("  {:16} {}\n", text(probe["name"]), text(probe["note"]));
+    fmt::print("\nRecorded in every run (of a second body with _2 behind the name)\n");
+    for (const json& s : all["series"])
+        fmt::print("  {:34} {:7} {}\n", text(s["name"]), text(s["unit"]), text(s["description"]));
     fmt::print("\nReferences\n");
     for (const json& c : all["references"]) {
         fmt::print("  {:16} against {}{}\n", text(c["series"]), text(c["reference"]),
