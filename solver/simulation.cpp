@@ -58,6 +58,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
         double& radius = body_radii_.at(point.body);
         radius = std::max(radius, std::hypot(point.x, point.y));
     }
+    attach_fluid();
     for (const RigidBody& body : bodies_) body.check();
     if (fluid_.size() == 0) throw InputError("a simulation needs fluid particles");
     if (model_.periodic_x && (!bodies_.empty() || model_.sponge_thickness > 0))

@@ -127,6 +127,7 @@ class Simulation {
     void wall_pass();
     void momentum_pass();
     void update_density(double dt);
+    void attach_fluid();
     void load_bodies();
     bool place_bodies();
 

@@ -8,6 +8,23 @@
 
 namespace wetdeck {
 
+/// Water one spacing deep around each body: what follows its surface at once, see rigid_body.hpp.
+void Simulation::attach_fluid() {
+    const double layers = std::ceil(kernel_.support_radius() / particle_spacing_ - 1e-9);
+    const double mass = model_.water.eos.reference_density * particle_spacing_ * particle_spacing_ / layers;
+    for (const BodyPoint& point : walls_.body_point) {
+        RigidBody& body = bodies_[point.body];
+        body.attached_mass += mass;
+        body.attached_inertia += mass * (point.x * point.x + point.y * point.y);
+    }
+    for (RigidBody& body : bodies_) {  // as if it had fallen freely before: it would else take steps to begin
+        for (int k = 0; k < 2; ++k) {
+            if (body.free[static_cast<std::size_t>(k)] && body.attached_mass > body.mass)
+                body.acceleration[k] = model_.gravity[k];
+        }
+    }
+}
+
 /// Forces of the fluid on the bodies, Eqs. (20)-(21), and the accelerations that follow.
 void Simulation::load_bodies() {
     if (bodies_.empty()) return;

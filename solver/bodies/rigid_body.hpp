@@ -4,11 +4,19 @@
 //
 //     M dv/dt = F + M g + F_applied,   I domega/dt = T + T_applied
 //
+// The wall pressure (17) holds the body's last acceleration: F = F0 - m a_last, with m the fluid that follows
+// the surface at once. Where m is larger than M this would swing up. With the same mass m on both sides,
+//
+//     (M + m) a = F + M g + F_applied + m a_last,
+//
+// it settles within a few (M + m)/M steps, on the same motion; what the body's momentum lacks meanwhile is
+// m (a_last - a_first) dt, not a sum over steps. Only bodies lighter than that fluid get any of it.
 // The pose is integrated, never the particles of the surface: they are placed from it, so that nothing
 // drifts.
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 
 #include "solver/core/errors.hpp"
@@ -34,6 +42,9 @@ struct RigidBody {
     Vec2 acceleration = Vec2::Zero();  ///< of the mass centre [m/s^2]
     double angular_acceleration = 0;   ///< [rad/s^2]
 
+    double attached_mass = 0;     ///< of the fluid that follows the surface at once [kg/m]
+    double attached_inertia = 0;  ///< of the same, about the mass centre [kg m]
+
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
     double work = 0;              ///< of the fluid on the body since the start [J/m]
@@ -50,11 +61,15 @@ struct RigidBody {
     void load(Vec2 fluid_force, double fluid_torque, Vec2 gravity) {
         force = fluid_force;
         torque = fluid_torque;
+        const double extra_mass = std::max(0.0, attached_mass - mass);
+        const double extra_inertia = std::max(0.0, attached_inertia - inertia);
         for (int k = 0; k < 2; ++k) {
             const bool moves = free[static_cast<std::size_t>(k)];
-            acceleration[k] = moves ? (force[k] + applied_force[k]) / mass + gravity[k] : 0;
+            const double sum = force[k] + applied_force[k] + extra_mass * (acceleration[k] - gravity[k]);
+            acceleration[k] = moves ? sum / (mass + extra_mass) + gravity[k] : 0;
         }
-        angular_acceleration = free[2] ? (torque + applied_torque) / inertia : 0;
+        const double sum = torque + applied_torque + extra_inertia * angular_acceleration;
+        angular_acceleration = free[2] ? sum / (inertia + extra_inertia) : 0;
     }
 
     /// Velocities and impulses over a time [s] with the loads as they are.

@@ -60,6 +60,43 @@ TEST_CASE("Constant loads give the motion and the impulse of the textbook", "[bo
     CHECK(body.work == Approx(3 * (0.25 + 0.75) + 0.4 * 2.5));
 }
 
+TEST_CASE("A body lighter than the fluid that follows its surface settles on their common motion", "[body]") {
+    // the wall pressure holds the last acceleration: F = F0 - m a_last
+    const double following = 0.2, lift = 3;
+    const auto accelerations = [&](double attached) {
+        RigidBody body;
+        body.mass = 0.01;
+        body.inertia = 1;
+        body.free = {false, true, false};
+        body.attached_mass = attached;
+        std::vector<double> all = {0};
+        for (int step = 0; step < 400; ++step) {
+            body.load({0, lift - following * body.acceleration.y()}, 0, Vec2::Zero());
+            all.push_back(body.acceleration.y());
+        }
+        return all;
+    };
+    const double common = lift / (0.01 + following);
+    CHECK(std::abs(accelerations(0)[20]) > 1e6 * common);  // swings up
+    const std::vector<double> settled = accelerations(0.25);
+    CHECK(settled.back() == Approx(common).epsilon(1e-9));
+    double lacking = 0;  // of the body's momentum, over the step
+    for (std::size_t n = 1; n < settled.size(); ++n)
+        lacking += 0.01 * settled[n] - (lift - following * settled[n - 1]);
+    CHECK(lacking ==
+          Approx(-(0.25 - 0.01) * common));  // the difference of two accelerations, whatever the steps
+}
+
+TEST_CASE("A light body falls freely, exact to rounding, without settling first", "[body]") {
+    RigidBody body = hull();
+    body.attached_mass = 100 * body.mass;
+    body.attached_inertia = 100 * body.inertia;
+    body.acceleration = gravity;
+    advance(body, 2000);
+    CHECK(body.velocity.y() == Approx(-1 + 2 * gravity.y()).epsilon(1e-12));
+    CHECK(body.angular_velocity == 2);
+}
+
 TEST_CASE("A locked degree of freedom keeps its velocity, whatever the load", "[body]") {
     RigidBody body = hull();
     body.free = {false, true, false};
