@@ -37,6 +37,7 @@ TEST_CASE("stability comes before numbers") {
     CHECK_FALSE(ablation_verdict(false, true, worse).needed);
     CHECK_FALSE(ablation_verdict(false, false, worse).needed);
     CHECK_FALSE(ablation_verdict(true, true, {}).needed);
+    CHECK_THAT(ablation_verdict(true, true, {}).reason, Contains("nothing to compare"));
 }
 
 TEST_CASE("an error that grows by more than a quarter of the tolerance makes an ingredient needed") {

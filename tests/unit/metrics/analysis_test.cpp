@@ -92,6 +92,16 @@ TEST_CASE("Runs that did not end well stay out of convergence and of error again
     CHECK(summary.runs[2].quantities.size() == 2);
 }
 
+TEST_CASE("A curve beyond the time at which a run was asked to stop is not judged", "[analysis]") {
+    AnalysisSpec spec = scene();
+    spec.comparisons[0].window = Window{0.5, 1.5};
+    RunSummary stopped = run("a", 0.04, 1, 0);
+    stopped.record.series["front"] = {"m", "", {0, 0.1}, {2, 3}, {}};
+    CHECK(analyse({spec}, {stopped}, references).runs[0].comparisons[0].available);
+    stopped.record.parameters["run.until"] = 0.1;
+    CHECK_FALSE(analyse({spec}, {stopped}, references).runs[0].comparisons[0].available);
+}
+
 TEST_CASE("An error is the distance from the expected value, over that value", "[analysis]") {
     AnalysisSpec spec = scene();
     spec.quantities[0].expected = 5;
