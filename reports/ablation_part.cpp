@@ -11,9 +11,49 @@ namespace {
 std::string death_picture(const StressRow& row, const ReportInputs& inputs) {
     const auto found = inputs.deaths.find(row.picture);
     if (found == inputs.deaths.end()) return "";
-    return details("picture", fmt::format("<img src=\"{}\" alt=\"{}, {}\" loading=\"lazy\">",
-                                          data_address("image/png", found->second), escape(row.stress_case),
-                                          escape(row.setting)));
+    return fmt::format("<br><img src=\"{}\" alt=\"{}, {}\" loading=\"lazy\">",
+                       data_address("image/png", found->second), escape(row.stress_case),
+                       escape(row.setting));
+}
+
+/// Rows of other schemes than the default say so behind the setting.
+std::string scheme_of(const StressRow& row) {
+    const std::size_t comma = row.setting.rfind(", ");
+    const std::string last = comma == std::string::npos ? "" : row.setting.substr(comma + 2);
+    return last == "paper" || last == "no dissipation" ? last : "default";
+}
+
+bool is_search(const StressRow& row) {
+    return row.setting.starts_with("limit of ");
+}
+
+std::string survival_table(const std::vector<StressRow>& rows) {
+    Table table({"scheme", "settings", "survived"});
+    for (const char* scheme : {"default", "no dissipation", "paper"}) {
+        std::size_t all = 0, survived = 0;
+        for (const StressRow& row : rows) {
+            if (is_search(row) || scheme_of(row) != scheme) continue;
+            ++all;
+            if (row.survived) ++survived;
+        }
+        if (all > 0)
+            table.add({text(scheme), whole(static_cast<double>(all)), whole(static_cast<double>(survived))});
+    }
+    return table.html();
+}
+
+/// The rows that `wanted` takes.
+template <class Wanted>
+std::string stress_table(const Summary& summary, const ReportInputs& inputs, const Wanted& wanted) {
+    Table table({"case", "setting", "outcome", "note"});
+    for (const StressRow& row : summary.stress) {
+        if (!wanted(row)) continue;
+        table.add({text(row.stress_case), text(row.setting),
+                   markup(row.survived ? "<span class=\"badge good\">survived</span>"
+                                       : "<span class=\"badge bad\">did not survive</span>"),
+                   markup(escape(row.note) + death_picture(row, inputs), "wide")});
+    }
+    return table.empty() ? "" : table.html();
 }
 
 }  // namespace
@@ -47,14 +87,20 @@ std::string ablation_table(const Summary& summary, const AnalysisSpec& scene) {
 void add_stress_part(Page& page, const Summary& summary, const ReportInputs& inputs) {
     if (summary.stress.empty()) return;
     page.section(2, "Hard cases");
-    Table table({"case", "setting", "outcome", "note"});
-    for (const StressRow& row : summary.stress) {
-        table.add({text(row.stress_case), text(row.setting),
-                   markup(row.survived ? "<span class=\"badge good\">survived</span>"
-                                       : "<span class=\"badge bad\">did not survive</span>"),
-                   markup(escape(row.note) + death_picture(row, inputs), "wide")});
-    }
-    page.add(table.html());
+    page.add(survival_table(summary.stress));
+    const auto by_default = [](const StressRow& row) { return scheme_of(row) == "default"; };
+    const std::string deaths =
+        stress_table(summary, inputs, [&](const StressRow& row) { return by_default(row) && !row.survived; });
+    page.add(deaths.empty() ? paragraph("The default scheme survived every setting.")
+                            : "<h4>What the default scheme did not survive</h4>\n" + deaths);
+    const std::string limits = stress_table(summary, inputs, is_search);
+    if (!limits.empty()) page.add("<h4>How far from what is in use the limits lie</h4>\n" + limits);
+    page.add(
+        details("What the default scheme survived", stress_table(summary, inputs, [&](const StressRow& row) {
+                    return by_default(row) && row.survived && !is_search(row);
+                })));
+    page.add(details("Other schemes",
+                     stress_table(summary, inputs, [&](const StressRow& row) { return !by_default(row); })));
 }
 
 }  // namespace wetdeck::report
