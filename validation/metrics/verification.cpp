@@ -36,13 +36,6 @@ void judge(VerificationRow& row) {
     if (!row.order || *row.order < range.begin || *row.order > range.end) row.within = false;
 }
 
-bool all_within(const std::vector<VerificationProblem>& problems) {
-    return !any_unstable(problems) && std::all_of(problems.begin(), problems.end(), [](const auto& problem) {
-        return std::all_of(problem.rows.begin(), problem.rows.end(),
-                           [](const VerificationRow& row) { return row.within; });
-    });
-}
-
 bool any_unstable(const std::vector<VerificationProblem>& problems) {
     return std::any_of(problems.begin(), problems.end(),
                        [](const auto& problem) { return !problem.unstable.empty(); });
