@@ -2,6 +2,8 @@
 // A small made-up summary for the tests of the report.
 #pragma once
 
+#include <catch2/catch.hpp>
+
 #include "reports/report.hpp"
 #include "tests/unit/store/store_samples.hpp"
 
@@ -91,6 +93,19 @@ inline std::size_t occurrences(const std::string& text, const std::string& part)
     std::size_t n = 0;
     for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
     return n;
+}
+
+inline std::string page_of(const Summary& summary, const report::ReportInputs& inputs = samples::inputs()) {
+    const samples::ScratchFolder folder;
+    report::write_report(folder, summary, inputs);
+    return samples::bytes_of(folder / "index.html");
+}
+
+inline std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+    const std::size_t from = text.find(begin);
+    REQUIRE(from != std::string::npos);
+    const std::size_t to = text.find(end, from + begin.size());
+    return text.substr(from, to - from);
 }
 
 }  // namespace wetdeck::samples

@@ -14,22 +14,11 @@
 #include "tests/unit/report/report_samples.hpp"
 
 using namespace wetdeck;
+using samples::between;
 using samples::contains;
+using samples::page_of;
 
 namespace {
-
-std::string page_of(const Summary& summary, const report::ReportInputs& inputs = samples::inputs()) {
-    const samples::ScratchFolder folder;
-    report::write_report(folder, summary, inputs);
-    return samples::bytes_of(folder / "index.html");
-}
-
-std::string between(const std::string& text, const std::string& begin, const std::string& end) {
-    const std::size_t from = text.find(begin);
-    REQUIRE(from != std::string::npos);
-    const std::size_t to = text.find(end, from + begin.size());
-    return text.substr(from, to - from);
-}
 
 /// The PATH without any program, restored with the scope.
 class EmptyPath {
@@ -59,115 +48,6 @@ TEST_CASE("The same inputs give the same bytes, page and figures", "[report]") {
         INFO(name);
         CHECK(samples::bytes_of(first / "figures" / name) == samples::bytes_of(second / "figures" / name));
     }
-}
-
-TEST_CASE("A complete report says so by not saying incomplete", "[report]") {
-    const std::string page = page_of(samples::summary());
-    CHECK(contains(page, "<title>wetdeck report, tier quick</title>"));
-    CHECK_FALSE(contains(page, "INCOMPLETE"));
-    CHECK(contains(page, "Every run reached its end and everything with a tolerance lies within it."));
-    CHECK_FALSE(contains(page, "validated"));
-}
-
-TEST_CASE("A missing run is named and marks the title incomplete", "[report]") {
-    Summary summary = samples::summary();
-    summary.missing = {"tank paper dx 0.005"};
-    const std::string page = page_of(summary);
-    CHECK(contains(page, "<title>INCOMPLETE: wetdeck report"));
-    CHECK(contains(page, "<h1>INCOMPLETE: wetdeck report"));
-    CHECK(contains(between(page, ">Failures</h2>", "<h2"), "tank paper dx 0.005"));
-    CHECK_FALSE(contains(between(page, ">Runs</h2>", "<h2"), "tank paper dx 0.005"));  // told once
-}
-
-TEST_CASE("A run that died comes first, with its reason", "[report]") {
-    Summary summary = samples::summary();
-    summary.runs[0].record.status = RunStatus::unstable;
-    summary.runs[0].record.stop_reason = "density error 0.3 at t = 0.1 s";
-    summary.runs[0].quantities[0].value.reset();
-    summary.runs[0].quantities[0].within.reset();
-    summary.runs[0].quantities[0].note = "ended before the window";
-    const std::string page = page_of(summary);
-    const std::string failures = between(page, ">Failures</h2>", "<h2");
-    CHECK(contains(failures, "tank<br>single-phase, 0.01 m"));
-    CHECK(contains(failures, "density error 0.3 at t = 0.1 s"));
-    CHECK(page.find(">Failures</h2>") < page.find(">Runs</h2>"));
-    CHECK(contains(page, "<b>3 of 4</b><span>runs reached their end</span>"));
-}
-
-TEST_CASE("What a run that died lacks is not listed again, and the page says so", "[report]") {
-    Summary summary = samples::summary();
-    RunSummary& dead = summary.runs[0];
-    dead.record.status = RunStatus::unstable;
-    dead.quantities[0].value.reset();
-    dead.quantities[0].within.reset();
-    dead.quantities[0].note = "ended before the window";
-    dead.comparisons[0].within = false;
-    const std::string failures = between(page_of(summary), ">Failures</h2>", "<h2");
-    CHECK_FALSE(contains(failures, "ended before the window"));
-    CHECK_FALSE(contains(failures, "Outside tolerance"));
-    CHECK(contains(failures, "runs that did not reach their end (1) are not listed again"));
-}
-
-TEST_CASE("What a sound run did not reach is listed with the reason", "[report]") {
-    Summary summary = samples::summary();
-    summary.runs[0].quantities[0].value.reset();
-    summary.runs[0].quantities[0].within.reset();
-    summary.runs[0].quantities[0].note = "does not rise through 5";
-    CHECK(contains(between(page_of(summary), ">Failures</h2>", "<h2"),
-                   "not computed: does not rise through 5"));
-}
-
-TEST_CASE("What a run did not reach that was asked to stop early is no failure", "[report]") {
-    Summary summary = samples::summary();
-    for (RunSummary& run : summary.runs) {
-        run.quantities[0].value.reset();
-        run.quantities[0].within.reset();
-        run.quantities[0].note = "the series spans less";
-    }
-    CHECK(
-        contains(between(page_of(summary), ">Failures</h2>", "<h2"), "not computed: the series spans less"));
-    for (RunSummary& run : summary.runs) run.record.parameters["run.until"] = 0.5;
-    const std::string failures = between(page_of(summary), ">Failures</h2>", "<h2");
-    CHECK_FALSE(contains(failures, "not computed"));
-    CHECK(contains(failures, "4 of the runs were asked to stop before their scene"));
-}
-
-TEST_CASE("A hard case that died shows its picture", "[report]") {
-    Summary summary;
-    summary.stress = {{"column", "10 m/s", false, "died", "stress/column.png"},
-                      {"column", "1 m/s", true, "lives"}};
-    report::ReportInputs inputs = samples::inputs();
-    inputs.deaths["stress/column.png"] = "made-up bytes";
-    const std::string page = page_of(summary, inputs);
-    CHECK(contains(page, "alt=\"column, 10 m/s\""));
-    CHECK_FALSE(contains(page, "alt=\"column, 1 m/s\""));
-}
-
-TEST_CASE("What lies outside tolerance is listed among the failures", "[report]") {
-    Summary summary = samples::summary();
-    summary.runs[2].quantities[0].within = false;
-    summary.runs[2].comparisons[0].within = false;
-    summary.runs[2].comparisons[0].nrmse = 0.234;
-    const std::string page = page_of(summary);
-    const std::string failures = between(page, ">Failures</h2>", "<h2");
-    CHECK(contains(failures, "<td rowspan=\"2\" class=\"name\">tank<br>two-phase, 0.01 m</td>"));
-    CHECK(contains(failures, "expected 100\u00a0Pa, made up"));
-    CHECK(contains(failures, "nrmse 0.234"));
-    CHECK(contains(page, "outside tolerance"));
-}
-
-TEST_CASE("A comparison without a reference file is neither a success nor a failure", "[report]") {
-    Summary summary = samples::summary();
-    for (RunSummary& run : summary.runs) {
-        run.comparisons[0].available = false;
-        run.comparisons[0].within = false;
-        run.comparisons[0].nrmse.reset();
-        run.comparisons[0].note = "no such file";
-    }
-    const std::string page = page_of(summary);
-    CHECK_FALSE(contains(between(page, ">Failures</h2>", "<h2"), "no such file"));
-    CHECK(contains(page, "no such file"));
-    CHECK(contains(page, "<b>4 of 4</b><span>reference curves met"));
 }
 
 TEST_CASE("Peer simulations have tables of their own and are labelled", "[report]") {
