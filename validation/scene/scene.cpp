@@ -241,9 +241,10 @@ Scene read_scene(const fs::path& path, const std::optional<std::string>& variant
 }
 
 CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
-    // What two-phase runs with the default scheme reach per core on AVX-512 at 28 neighbours; measured by
-    // `wetdeck run`.
-    constexpr double particle_steps_per_core_second = 6e6;
+    // What the default scheme reaches per core on AVX-512 over whole runs, and what a particle costs in a
+    // field file; measured over the quick and standard tiers.
+    constexpr double steps_per_second_alone = 4.2e6, steps_per_second_with_air = 5.2e6,
+                     seconds_in_frame = 1e-6;
     const auto area = [](const std::vector<Box>& boxes) {
         double sum = 0;
         for (const Box& box : boxes) sum += (box.high - box.low).prod();
@@ -258,7 +259,9 @@ CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
                                            {fastest, 4 * fastest}, true, scene.air);
     cost.steps = scene.end_time / step.size;
     cost.particle_steps = cost.fluid_particles * cost.steps;
-    cost.core_seconds = cost.particle_steps / particle_steps_per_core_second;
+    cost.core_seconds =
+        cost.particle_steps / (scene.air ? steps_per_second_with_air : steps_per_second_alone) +
+        cost.fluid_particles * static_cast<double>(scene.frame_times.size()) * seconds_in_frame;
     return cost;
 }
 

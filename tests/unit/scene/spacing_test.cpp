@@ -64,11 +64,13 @@ TEST_CASE("the estimated particles are those that a run makes") {
     REQUIRE(estimate_cost(small({"model.air=false"}), 0.04).fluid_particles == Approx(50));
 }
 
-TEST_CASE("half the spacing costs four times the particles, twice the steps and eight times the time") {
+TEST_CASE("half the spacing costs four times the particles, twice the steps, and files only four times") {
     const CostEstimate coarse = estimate_cost(small(), 0.04), fine = estimate_cost(small(), 0.02);
     REQUIRE(fine.fluid_particles / coarse.fluid_particles == Approx(4));
     REQUIRE(fine.steps / coarse.steps == Approx(2).epsilon(0.05));
-    REQUIRE(fine.core_seconds / coarse.core_seconds == Approx(8).epsilon(0.05));
+    REQUIRE(fine.particle_steps / coarse.particle_steps == Approx(8).epsilon(0.05));
+    REQUIRE(fine.core_seconds / coarse.core_seconds > 4);
+    REQUIRE(fine.core_seconds / coarse.core_seconds < 8);
     REQUIRE(fine.particle_steps == Approx(fine.fluid_particles * fine.steps));
 }
 
@@ -79,5 +81,5 @@ TEST_CASE("twice the time costs twice the steps") {
 
 TEST_CASE("water alone costs less than water and air") {
     REQUIRE(estimate_cost(small({"model.air=false"}), 0.02).core_seconds <
-            0.2 * estimate_cost(small(), 0.02).core_seconds);
+            0.25 * estimate_cost(small(), 0.02).core_seconds);
 }
