@@ -78,8 +78,7 @@ Figure budget_figure(const RunSummary& run, const Energies& energies) {
     const bool bodies = run.record.series.count("body_work") != 0;
     figure.caption = fmt::format(
         "Revision {}. Each energy minus its initial value, over the initial potential energy.{} Largest "
-        "growth "
-        "of the total{}: {}.",
+        "growth of the total{}: {}.",
         revision_of(run),
         bodies ? " These are the fluid's: the total rises by the work of a body that falls in." : "",
         bodies ? " less that work" : "", number_with_unit(run.energy_error, "-"));

@@ -104,20 +104,6 @@ std::vector<Figure> convergence_figures(const Summary& summary, const AnalysisSp
     return figures;
 }
 
-/// Whether the scene's error quantity has nothing to be divided by: it is expected to vanish.
-bool is_error_itself(const Summary& summary, const AnalysisSpec& scene) {
-    for (const QuantitySpec& spec : scene.quantities) {
-        if (spec.name == scene.error_quantity && spec.metric == "rms_difference") return true;
-    }
-    for (const RunSummary& run : summary.runs) {
-        for (const QuantityResult& q : run.quantities) {
-            if (run.record.scene == scene.scene && q.name == scene.error_quantity && q.expected == 0.0)
-                return true;
-        }
-    }
-    return false;
-}
-
 Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
     std::map<std::string, std::vector<const SpeedErrorPoint*>> by_variant;
     for (const SpeedErrorPoint& point : summary.speed_error) {
@@ -129,15 +115,18 @@ Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
     figure.name = scene.scene + "-speed-error";
     figure.title = scene.scene + ": speed against error";
     std::set<std::string> targets;
+    bool relative = false;
     for (const auto& [variant, points] : by_variant) {
-        for (const SpeedErrorPoint* point : points) targets.insert(point->against);
+        for (const SpeedErrorPoint* point : points) {
+            targets.insert(point->against);
+            relative = relative || point->relative;
+        }
     }
-    const bool absolute = is_error_itself(summary, scene);
     figure.caption = fmt::format("Error of {}{}.", scene.error_quantity,
                                  targets.size() == 1 ? " against " + *targets.begin() : "");
     figure.x = {"cost", "core-seconds", true, {}};
-    figure.y = {(absolute ? "error: " : "relative error: ") + scene.error_quantity,
-                absolute ? unit_of_quantity(scene, scene.error_quantity) : "-",
+    figure.y = {(relative ? "relative error: " : "error: ") + scene.error_quantity,
+                relative ? "-" : unit_of_quantity(scene, scene.error_quantity),
                 true,
                 {}};
     const std::vector<std::string> variants = variants_of(runs_of(summary, scene));

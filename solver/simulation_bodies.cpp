@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "solver/setup/lattice.hpp"
 #include "solver/simulation.hpp"
 #include "solver/time/stage_timer.hpp"
 
@@ -10,8 +11,9 @@ namespace wetdeck {
 
 /// Water one spacing deep around each body: what follows its surface at once, see rigid_body.hpp.
 void Simulation::attach_fluid() {
-    const double layers = std::ceil(kernel_.support_radius() / particle_spacing_ - 1e-9);
+    const int layers = boundary_layers(kernel_.support_radius(), particle_spacing_);
     const double mass = model_.water.eos.reference_density * particle_spacing_ * particle_spacing_ / layers;
+    for (RigidBody& body : bodies_) body.attached_mass = body.attached_inertia = 0;
     for (const BodyPoint& point : walls_.body_point) {
         RigidBody& body = bodies_[point.body];
         body.attached_mass += mass;

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "solver/core/errors.hpp"
+#include "solver/setup/lattice.hpp"
 
 namespace wetdeck {
 namespace {
@@ -209,7 +210,7 @@ void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline&
                         double particle_spacing, double support_radius) {
     const Polygon polygon = polygon_of(outline);
     check_thickness(polygon, particle_spacing, support_radius);
-    const int layers = static_cast<int>(std::ceil(support_radius / particle_spacing - 1e-9));
+    const int layers = boundary_layers(support_radius, particle_spacing);
     const double tolerance = 1e-3 * particle_spacing;
     constexpr double closest = 0.6;  // spacings: where opposite faces meet, one layer serves both
     std::vector<SurfacePoint> all;

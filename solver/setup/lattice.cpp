@@ -28,6 +28,10 @@ bool spacing_fits(double length, double particle_spacing) {
     return std::abs(fit(length, particle_spacing).spacing / particle_spacing - 1) <= largest_stretch;
 }
 
+int boundary_layers(double support_radius, double particle_spacing) {
+    return static_cast<int>(std::ceil(support_radius / particle_spacing - 1e-9));
+}
+
 void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_spacing, double density) {
     const Vec2 size = region.high - region.low;
     const Axis axes[] = {fit(size.x(), particle_spacing), fit(size.y(), particle_spacing)};
@@ -51,7 +55,7 @@ void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_sp
 WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, bool periodic_x) {
     const Vec2 size = tank.high - tank.low;
     const Axis along_x = fit(size.x(), particle_spacing), along_y = fit(size.y(), particle_spacing);
-    const int layers = static_cast<int>(std::ceil(support_radius / particle_spacing - 1e-9));
+    const int layers = boundary_layers(support_radius, particle_spacing);
     WallParticles walls;
     const auto coordinate = [&](int index, const Axis& axis, double low) {
         if (index < 0) return low + (index + 0.5) * particle_spacing;

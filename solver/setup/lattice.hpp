@@ -15,6 +15,9 @@ void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_sp
 /// Whether fill_box takes this spacing for a side of `length` [m].
 bool spacing_fits(double length, double particle_spacing);
 
+/// Layers of boundary particles that the kernel's support needs.
+int boundary_layers(double support_radius, double particle_spacing);
+
 /// Layers of dummy particles around the inside of `tank`, as many as the kernel's support needs, the first
 /// half a spacing behind the face. Corner particles have the normal towards the corner. Where the tank is
 /// periodic along x, bed and lid alone, which run on beyond its ends by as many particles.

@@ -26,12 +26,10 @@ std::optional<double> nearest_fitting(const std::vector<Box>& boxes, double part
         sides.insert(sides.end(), {(box.high - box.low).x(), (box.high - box.low).y()});
     std::optional<double> nearest;
     for (const double side : sides) {
-        const double in_side = side / particle_spacing;
-        const double first = finer ? std::floor(in_side) + 1 : std::floor(in_side);
-        const double last =
-            finer ? std::min(2 * in_side, first + 1e4) : std::max({1.0, 0.5 * in_side, first - 1e4});
-        for (double count = first; finer ? count <= last : count >= last; count += finer ? 1 : -1) {
+        double count = std::floor(side / particle_spacing) + (finer ? 1 : 0);
+        for (int tried = 0; tried < 10'000 && count >= 1; ++tried, count += finer ? 1 : -1) {
             const double spacing = side / count;
+            if (spacing < 0.5 * particle_spacing || spacing > 2 * particle_spacing) break;
             const auto fits = [spacing](double length) { return spacing_fits(length, spacing); };
             if (!std::all_of(sides.begin(), sides.end(), fits)) continue;
             if (!nearest || std::abs(spacing - particle_spacing) < std::abs(*nearest - particle_spacing))
@@ -42,7 +40,7 @@ std::optional<double> nearest_fitting(const std::vector<Box>& boxes, double part
     return nearest;
 }
 
-/// "; fit: 0.02 and 0.025 m", or what there is of it.
+/// "; the nearest that fit all boxes: 0.025 and 0.02 m", or what there is of it.
 std::string fitting_text(const Scene& scene, double particle_spacing) {
     std::vector<Box> boxes = scene.water_boxes;
     if (scene.air) boxes.insert(boxes.end(), scene.air_boxes.begin(), scene.air_boxes.end());

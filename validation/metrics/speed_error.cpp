@@ -11,6 +11,8 @@
 namespace wetdeck {
 namespace {
 
+constexpr const char* own_limit = "its extrapolated value";
+
 /// The value without error, and where it comes from.
 struct Target {
     double value = 0;
@@ -29,14 +31,14 @@ std::optional<Target> target_of(const QuantityResult& result, const RunRecord& r
     for (const ConvergenceRow& row : convergence) {
         const bool same =
             row.scene == record.scene && row.variant == record.variant && row.qoi == result.name;
-        if (same && row.extrapolated) return Target{*row.extrapolated, "its extrapolated value"};
+        if (same && row.extrapolated) return Target{*row.extrapolated, own_limit};
     }
     return std::nullopt;
 }
 
 /// The same kind of error: a value that is extrapolated speaks for its own variant alone.
 bool comparable(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
-    return a.against == b.against && (a.against != "its extrapolated value" || a.variant == b.variant);
+    return a.against == b.against && (a.against != own_limit || a.variant == b.variant);
 }
 
 bool beats(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
@@ -83,7 +85,8 @@ std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& r
                 continue;
             const std::optional<Target> target = target_of(result, record, scene, convergence);
             if (!target) continue;
-            const double scale = target->value != 0 ? std::abs(target->value) : 1;
+            point.relative = target->value != 0;
+            const double scale = point.relative ? std::abs(target->value) : 1;
             point.error = std::abs(*result.value - target->value) / scale;
             point.against = target->against;
         }

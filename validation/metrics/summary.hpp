@@ -157,6 +157,7 @@ struct SpeedErrorPoint {
     std::optional<double> error;  ///< see speed_error.hpp
     bool pareto = false;
     std::string against = {};  ///< where the value without error comes from
+    bool relative = false;     ///< to that value; otherwise the error has the quantity's unit
 };
 
 /// The cheapest run of a scene that meets one value or curve to a given relative error.

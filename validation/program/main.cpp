@@ -146,11 +146,11 @@ int suite_command(Options& options) {
     if (options.plan) return print_plan(suite, options.json), exit_done;
     if (suite.row) return run_suite(suite);
     std::vector<std::string> planned;
-    for (const SuiteRow& row : suite_rows(suite))
-        planned.push_back(fs::relative(row.directory, suite.directory).string());
+    const std::vector<SuiteRow> rows = suite_rows(suite);
+    for (const SuiteRow& row : rows) planned.push_back(fs::relative(row.directory, suite.directory).string());
     write_suite_plan(suite.directory, suite.tier, planned);
     if (options.executor == "slurm") return submit_suite(suite, options.slurm), exit_done;
-    const int worst = run_suite(suite);
+    const int worst = run_rows(rows, suite);
     const int judged = tell_report(make_report(suite.directory), suite.directory);
     return worst != 0 ? worst : judged;
 }
