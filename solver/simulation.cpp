@@ -108,7 +108,6 @@ PassInput Simulation::pass_input() {
 }
 
 void Simulation::build_list() {
-    const StageTimer timer(stages_.neighbours);
     list_.build(fluid_, walls_, loops_, threads_);
     built_bodies_ = bodies_;
     // particles that no fluid is near are left out of the list
@@ -152,8 +151,8 @@ void Simulation::soak(std::initializer_list<std::vector<double>*> rates) {
     }
 }
 
+/// Densities from their rates over a step, volumes and pressures, and the second half drift.
 void Simulation::update_density(double dt) {
-    const StageTimer timer(stages_.integration);
     const auto advance = [&](Phase phase, std::size_t first, std::size_t last) {
         const bool water = phase == Phase::water;
         const TaitEquationOfState& eos = water ? model_.water.eos : model_.air.eos;
@@ -255,34 +254,45 @@ void Simulation::mark_impacts() {
     }
 }
 
-/// Moves all fluid and the bodies over half a step, after the first half kick if there is one: both in one
-/// sweep over the particles. Returns whether the list is still complete: no particle further from where it
-/// was built than allowed.
-template <bool Kick>
-bool Simulation::drift(double half) {
+/// The first half kick and half drift of all fluid and the bodies. Returns how far the fastest particle has
+/// moved; it moves as far in the second half.
+double Simulation::kick_and_drift(double half) {
     const StageTimer timer(stages_.integration);
-    const double* built = list_.built_positions();
-    double farthest = 0;
+    double fastest2 = 0;
     const auto size = static_cast<std::int64_t>(fluid_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_) reduction(max : farthest)
+#pragma omp parallel for schedule(static) num_threads(threads_) reduction(max : fastest2)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         FluidState& p = fluid_.state[i];
-        if constexpr (Kick) {
-            p.vx += half * fluid_.acceleration_x[i];
-            p.vy += half * fluid_.acceleration_y[i];
-        }
+        p.vx += half * fluid_.acceleration_x[i];
+        p.vy += half * fluid_.acceleration_y[i];
         p.x += half * p.vx;
         p.y += half * p.vy;
-        const double mx = p.x - built[2 * i], my = p.y - built[2 * i + 1];
-        farthest = std::max(farthest, mx * mx + my * my);
+        fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
     }
-    for (RigidBody& body : bodies_) {
-        if (Kick) body.kick(half);
+    double fastest = std::sqrt(fastest2);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        RigidBody& body = bodies_[b];
+        body.kick(half);
         body.drift(half);
+        fastest = std::max(fastest, body.velocity.norm() + body_radii_[b] * std::abs(body.angular_velocity));
     }
-    const bool bodies_near = place_bodies();
-    return bodies_near && farthest <= list_.allowance() * list_.allowance();
+    place_bodies();
+    return half * fastest;
+}
+
+/// The second half drift, with the densities at the end of the step.
+void Simulation::advance_and_drift(double dt) {
+    const StageTimer timer(stages_.integration);
+    update_density(dt);
+    for (RigidBody& body : bodies_) body.drift(0.5 * dt);
+    place_bodies();
+}
+
+/// Builds the list if particles that have moved by `farthest` may have made it incomplete.
+void Simulation::refresh_list(double farthest) {
+    const StageTimer timer(stages_.neighbours);
+    if (!list_.still_complete(farthest, fluid_, walls_, threads_)) build_list();
 }
 
 /// The last half kick; finds the largest speeds and whether anything has left its range (rates too: the floor
@@ -347,11 +357,12 @@ std::optional<Instability> Simulation::step(double longest) {
     time_step_ = stable;
     const double dt = std::min(longest, stable.size);
     if (model_.dissipation_switch) mark_impacts();
-    if (!drift<true>(0.5 * dt)) build_list();
+    const double moved = kick_and_drift(0.5 * dt);
+    refresh_list(moved);
     if (model_.wall_velocity == WallVelocity::mirrored) wall_pass();
     density_pass();
-    update_density(dt);
-    if (!drift<false>(0.5 * dt)) build_list();
+    advance_and_drift(dt);
+    refresh_list(moved);
     wall_pass();
     momentum_pass();
     load_bodies();

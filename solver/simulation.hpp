@@ -27,7 +27,7 @@ namespace wetdeck {
 
 /// Where the time of a run went.
 struct StageTimes {
-    double neighbours = 0;   ///< lists built [wall seconds], as all here
+    double neighbours = 0;   ///< lists checked and built [wall seconds], as all here
     double density = 0;      ///< pass over the pairs for the density rates
     double momentum = 0;     ///< pass over the pairs for the accelerations
     double walls = 0;        ///< means at the walls
@@ -117,8 +117,9 @@ class Simulation {
     double momentum_error(PassInput in, const FluidParticles& fluid, const WallParticles& walls) const;
     TimeStep stable_step() const;
     void build_list();
-    template <bool Kick>
-    bool drift(double half);
+    double kick_and_drift(double half);
+    void advance_and_drift(double dt);
+    void refresh_list(double farthest);
     std::optional<Instability> last_kick(double dt);
     std::optional<Instability> body_trouble(double dt) const;
     void mark_impacts();
@@ -129,7 +130,7 @@ class Simulation {
     void update_density(double dt);
     void attach_fluid();
     void load_bodies();
-    bool place_bodies();
+    void place_bodies();
 
     Model model_;
     FluidParticles fluid_;

@@ -44,9 +44,8 @@ void Simulation::load_bodies() {
         bodies_[b].load(body_loads_[b].force, body_loads_[b].torque, model_.gravity);
 }
 
-/// Puts the boundary particles where the poses say, Eqs. (22)-(23). Returns whether the list is still
-/// complete.
-bool Simulation::place_bodies() {
+/// Puts the boundary particles where the poses say, Eqs. (22)-(23).
+void Simulation::place_bodies() {
     body_axes_.clear();
     for (const RigidBody& body : bodies_) body_axes_.push_back(body.axes());
     for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
@@ -59,14 +58,6 @@ bool Simulation::place_bodies() {
         walls_.state[n] = {place.x(),  place.y(),  velocity.x(),     velocity.y(),
                            normal.x(), normal.y(), acceleration.x(), acceleration.y()};
     }
-    bool complete = true;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const double turned = std::abs(std::sin(0.5 * (bodies_[b].angle - built_bodies_[b].angle)));
-        const double farthest =
-            (bodies_[b].position - built_bodies_[b].position).norm() + 2 * body_radii_[b] * turned;
-        complete = complete && farthest <= list_.allowance();
-    }
-    return complete;
 }
 
 /// A body that is nowhere is not noticed by the fluid: nothing is near it.

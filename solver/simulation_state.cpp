@@ -164,6 +164,7 @@ Simulation::State Simulation::state() const {
     state.numbers["time"] = time_;
     state.numbers["steps"] = static_cast<double>(steps_);
     state.numbers["list_builds"] = static_cast<double>(list_builds_);
+    state.numbers["list_slack"] = list_.slack();
     state.numbers["time_step"] = time_step_.size;
     state.numbers["criterion"] = static_cast<double>(time_step_.criterion);
     for (std::size_t k = 0; k < limits_.size(); ++k)
@@ -214,6 +215,7 @@ void Simulation::restore(const State& state) {
     set_numbers(bodies_, listed_bodies);
     place_bodies();
     build_list();
+    list_.set_slack(in.number("list_slack"));
     unflatten(fluid, fluid_.state);
     set_numbers(bodies_, bodies);
     unflatten(wall, walls_.state);

@@ -41,6 +41,14 @@ Box bounds(const ClusterPoints& points) {
     return {{*left, *low}, {*right, *high}};
 }
 
+CellGrid grid_over(Box domain, double particle_spacing, double margin) {
+    CellGrid grid{3.2 * particle_spacing, particle_spacing, 0, 0};
+    const Vec2 size = domain.high - domain.low + Vec2::Constant(2 * margin);
+    grid.strips = static_cast<std::uint32_t>(std::ceil(size.x() / grid.cell_width)) + 1;
+    grid.rows = static_cast<std::uint32_t>(std::ceil(size.y() / grid.cell_height)) + 1;
+    return grid;
+}
+
 void append_clusters(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, Phase phase) {
     for (std::size_t first = begin; first < end; first += cluster_width) {
         Cluster cluster;
@@ -56,29 +64,29 @@ void append_clusters(std::vector<Cluster>& clusters, std::size_t begin, std::siz
 NeighbourList::NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
                              bool with_walls_own_lists, bool periodic_x)
     : origin_(domain.low - Vec2::Constant(support_radius + skin)),
-      cell_width_(2 * particle_spacing),
-      cell_height_(particle_spacing),
-      strips_(0),
-      rows_(0),
+      grid_(grid_over(domain, particle_spacing, support_radius + skin)),
       reach_(support_radius + skin),
       skin_(skin),
+      motion_(grid_, reach_, skin),
       with_walls_own_lists_(with_walls_own_lists) {
     // walls run on beyond the ends by a support, and see the fluid around themselves
     if (periodic_x) images_.emplace(domain, 2 * reach_);
-    const Vec2 size = domain.high + Vec2::Constant(support_radius + skin) - origin_;
-    strips_ = static_cast<std::uint32_t>(std::ceil(size.x() / cell_width_)) + 1;
-    rows_ = static_cast<std::uint32_t>(std::ceil(size.y() / cell_height_)) + 1;
 }
 
 NeighbourList::Cell NeighbourList::cell_of(double x, double y) const {
     const auto clamped = [](double offset, double width, std::uint32_t count) {
         return static_cast<std::uint32_t>(std::clamp(offset / width, 0.0, static_cast<double>(count - 1)));
     };
-    return {clamped(x - origin_.x(), cell_width_, strips_), clamped(y - origin_.y(), cell_height_, rows_)};
+    return {clamped(x - origin_.x(), grid_.cell_width, grid_.strips),
+            clamped(y - origin_.y(), grid_.cell_height, grid_.rows)};
 }
 
 void NeighbourList::place_fixed(WallParticles& walls) {
     sort_walls(walls, 0, walls.fixed, fixed_start_);
+    for (std::size_t n = 0; n < walls.fixed; ++n) {
+        const Cell cell = cell_of(walls.state[n].x, walls.state[n].y);
+        motion_.keep_at_rest(cell.strip, cell.row);
+    }
 }
 
 void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
@@ -87,7 +95,7 @@ void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::siz
     key_.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         key_[i] = cell_index(cell_of(walls.state[begin + i].x, walls.state[begin + i].y));
-    counting_sort(key_, std::size_t{strips_} * rows_, start, order_);
+    counting_sort(key_, cells(), start, order_);
     for (std::uint32_t& s : start) s += static_cast<std::uint32_t>(begin);
     WallParticles& sorted = sorted_walls_;
     const bool of_bodies = begin >= walls.fixed;
@@ -118,20 +126,68 @@ void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, const Pai
     clusters_.clear();
     append_clusters(clusters_, 0, fluid.water, Phase::water);
     append_clusters(clusters_, fluid.water, fluid.size(), Phase::air);
+    built_body_.clear();
+    for (std::size_t n = walls.fixed; n < walls.size(); ++n)
+        built_body_.emplace_back(walls.state[n].x, walls.state[n].y);
+    slack_ = skin_;
     list_neighbours(fluid, walls, loops, threads);
 }
 
+bool NeighbourList::still_complete(double farthest, const FluidParticles& fluid, const WallParticles& walls,
+                                   int threads) {
+    slack_ -= 2 * farthest;
+    if (slack_ < 0) {
+        collect_moves(fluid, walls, threads);
+        slack_ = skin_ - motion_.approach(threads);
+    }
+    return slack_ >= 0;
+}
+
+/// Moves since the last build, by where the particles were then.
+void NeighbourList::collect_moves(const FluidParticles& fluid, const WallParticles& walls, int threads) {
+    motion_.clear();
+    const auto move = [&](std::uint32_t i) -> Vec2 { return fluid.state[i].position() - built_at(i); };
+    const auto columns = static_cast<std::int64_t>(motion_.columns());
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+    for (std::int64_t n = 0; n < columns; ++n) {
+        const std::uint32_t first_strip = static_cast<std::uint32_t>(n) * motion_.block_strips();
+        const std::uint32_t end_strip = std::min(grid_.strips, first_strip + motion_.block_strips());
+        for (std::uint32_t strip = first_strip; strip < end_strip; ++strip) {
+            for (std::uint32_t row = 0; row < grid_.rows; row += motion_.block_rows()) {
+                const std::uint32_t end_row = std::min(grid_.rows, row + motion_.block_rows());
+                Box moves = motion_.moves(strip, row);
+                for (std::size_t phase = 0; phase < phase_count; ++phase) {
+                    const std::uint32_t* start =
+                        fluid_start_.data() + phase * cells() + cell_index({strip, 0});
+                    for (std::uint32_t i = start[row]; i < start[end_row]; ++i) extend(moves, move(i));
+                }
+                motion_.moves(strip, row) = moves;
+            }
+        }
+    }
+    const auto extend_at = [&](Vec2 place, Vec2 by) {
+        const Cell cell = cell_of(place.x(), place.y());
+        extend(motion_.moves(cell.strip, cell.row), by);
+    };
+    for (std::size_t n = 0; n < built_body_.size(); ++n) {
+        const WallState& p = walls.state[walls.fixed + n];
+        extend_at(built_body_[n], Vec2(p.x, p.y) - built_body_[n]);
+    }
+    if (!images_) return;
+    for (const PeriodicImages::Image& image : images_->images())
+        extend_at(built_at(image.source) + Vec2(image.shift, 0), move(image.source));
+}
+
 void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
-    const std::size_t cells = std::size_t{strips_} * rows_;
     key_.resize(fluid.size());
     const auto size = static_cast<std::int64_t>(fluid.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         const std::uint32_t cell = cell_index(cell_of(fluid.state[i].x, fluid.state[i].y));
-        key_[i] = cell + static_cast<std::uint32_t>(fluid.phase(i) == Phase::air ? cells : 0);
+        key_[i] = cell + static_cast<std::uint32_t>(fluid.phase(i) == Phase::air ? cells() : 0);
     }
-    counting_sort(key_, phase_count * cells, fluid_start_, order_);
+    counting_sort(key_, phase_count * cells(), fluid_start_, order_);
     sorted_.state.resize(fluid.size());
     sorted_.mass.resize(fluid.size());
     sorted_.id.resize(fluid.size());
@@ -154,15 +210,14 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
 /// Sorts the images like the fluid: by phase, then along the grid.
 void NeighbourList::place_images(const FluidParticles& fluid) {
     images_->choose(fluid);
-    const std::size_t cells = std::size_t{strips_} * rows_;
     key_.clear();
     for (const PeriodicImages::Image& image : images_->images()) {
         const FluidState& p = fluid.state[image.source];
         const bool air = fluid.phase(image.source) == Phase::air;
         key_.push_back(cell_index(cell_of(p.x + image.shift, p.y)) +
-                       static_cast<std::uint32_t>(air ? cells : 0));
+                       static_cast<std::uint32_t>(air ? cells() : 0));
     }
-    counting_sort(key_, phase_count * cells, image_start_, order_);
+    counting_sort(key_, phase_count * cells(), image_start_, order_);
     images_->reorder(order_);
     for (std::uint32_t& start : image_start_) start += static_cast<std::uint32_t>(fluid.size());
 }
@@ -178,7 +233,7 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
     const std::size_t total = fluid_clusters + wall_clusters_.size();
     const std::size_t blocks = (total + clusters_per_block - 1) / clusters_per_block;
     if (block_lists_.size() < blocks) block_lists_.resize(blocks);
-    const std::size_t cells = std::size_t{strips_} * rows_;
+    constexpr std::size_t line = sizeof(FluidState) / sizeof(double);
     const FluidState* listed_fluid = listed(fluid);
 
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
@@ -198,28 +253,31 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
             const Box box = bounds(points);
             const Cell low = cell_of(box.low.x() - reach_, box.low.y() - reach_);
             const Cell high = cell_of(box.high.x() + reach_, box.high.y() + reach_);
-            const auto search = [&](const double* positions, const std::uint32_t* start) {
+            const auto search = [&](const double* positions, std::size_t stride, const std::uint32_t* start) {
                 const std::size_t before = used;
                 for (std::uint32_t strip = low.strip; strip <= high.strip; ++strip) {
                     const std::uint32_t begin = start[cell_index({strip, low.row})];
                     const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
+                    if (begin == end) continue;
                     // one entry of slack: the filter writes each candidate before it knows whether to keep it
                     if (list.size() < used + (end - begin) + 1) list.resize(2 * (used + (end - begin) + 1));
-                    used += loops.filter_near(points, positions, sizeof(FluidState) / sizeof(double), begin,
-                                              end, reach_, list.data() + used);
+                    used +=
+                        loops.filter_near(points, positions, stride, begin, end, reach_, list.data() + used);
                 }
                 return static_cast<std::uint32_t>(used - before);
             };
             for (std::size_t phase = 0; phase < phase_count; ++phase) {
                 std::uint32_t& count = cluster.fluid_neighbours[phase];
-                count = fluid.size() == 0 ? 0 : search(&listed_fluid->x, fluid_start_.data() + phase * cells);
-                if (images_) count += search(&listed_fluid->x, image_start_.data() + phase * cells);
+                count =
+                    fluid.size() == 0 ? 0 : search(built_.data(), 2, fluid_start_.data() + phase * cells());
+                if (images_) count += search(&listed_fluid->x, line, image_start_.data() + phase * cells());
             }
             cluster.wall_neighbours = 0;
             if (of_wall) continue;
-            if (walls.fixed > 0) cluster.wall_neighbours += search(&walls.state[0].x, fixed_start_.data());
+            if (walls.fixed > 0)
+                cluster.wall_neighbours += search(&walls.state[0].x, line, fixed_start_.data());
             if (walls.size() > walls.fixed)
-                cluster.wall_neighbours += search(&walls.state[0].x, body_start_.data());
+                cluster.wall_neighbours += search(&walls.state[0].x, line, body_start_.data());
         }
         for (std::size_t n = first; n < last; ++n) {
             (n >= fluid_clusters ? wall_clusters_[n - fluid_clusters] : clusters_[n]).neighbours =
@@ -241,7 +299,7 @@ std::size_t NeighbourList::entries() const {
 std::size_t NeighbourList::bytes() const {
     std::size_t sum =
         (clusters_.capacity() + wall_clusters_.capacity()) * sizeof(Cluster) +
-        built_.capacity() * sizeof(double) +
+        built_.capacity() * sizeof(double) + built_body_.capacity() * sizeof(Vec2) + motion_.bytes() +
         (key_.capacity() + order_.capacity() + fluid_start_.capacity() + image_start_.capacity() +
          fixed_start_.capacity() + body_start_.capacity() + sorted_.id.capacity()) *
             sizeof(std::uint32_t) +

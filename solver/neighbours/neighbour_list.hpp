@@ -4,8 +4,8 @@
 // A grid of cells two spacings wide and one high, numbered strip by strip, serves twice: fluid particles
 // sorted along it make compact clusters (about 2 x 4 particles), and the candidates of a cluster are one
 // contiguous run per strip. The list holds every pair closer than the kernel's support plus a skin. It stays
-// complete while no particle has moved further than half the skin since it was built: two particles can then
-// have come closer by no more than the skin.
+// complete while no two particles can have come closer by more than the skin since it was built
+// (relative_motion.hpp).
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@
 #include "solver/core/particles.hpp"
 #include "solver/core/vec2.hpp"
 #include "solver/neighbours/periodic_images.hpp"
+#include "solver/neighbours/relative_motion.hpp"
 #include "solver/pair_loop/pair_loop.hpp"
 
 namespace wetdeck {
@@ -34,8 +35,16 @@ class NeighbourList {
     /// support and skin. Where the domain is periodic, particles that have left it come in at the other end.
     void build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads);
 
-    /// Half the skin: how far a particle may move from where it was at the last build [m].
-    double allowance() const { return 0.5 * skin_; }
+    /// To be told of every move: no particle has moved by more than `farthest` [m] since the last call, or
+    /// the build. Returns whether the list is still complete; once it is not, it must be built.
+    ///
+    /// Looks at the particles only when the sum of the longest moves has used up what was left of the skin.
+    bool still_complete(double farthest, const FluidParticles& fluid, const WallParticles& walls,
+                        int threads);
+    /// By how much any two particles may still come closer: the skin after a build [m].
+    double slack() const { return slack_; }
+    /// For a list that was built again as it was at a checkpoint.
+    void set_slack(double slack) { slack_ = slack; }
     /// Position of particle i at the last build.
     Vec2 built_at(std::size_t i) const { return {built_[2 * i], built_[2 * i + 1]}; }
     const double* built_positions() const { return built_.data(); }
@@ -61,19 +70,21 @@ class NeighbourList {
         std::uint32_t strip, row;
     };
     Cell cell_of(double x, double y) const;
-    std::uint32_t cell_index(Cell cell) const { return cell.strip * rows_ + cell.row; }
+    std::uint32_t cell_index(Cell cell) const { return cell.strip * grid_.rows + cell.row; }
+    std::size_t cells() const { return std::size_t{grid_.strips} * grid_.rows; }
     void sort_fluid(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
                     std::vector<std::uint32_t>& start);
+    void collect_moves(const FluidParticles& fluid, const WallParticles& walls, int threads);
     void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
                          int threads);
 
     std::optional<PeriodicImages> images_;
     Vec2 origin_;
-    double cell_width_, cell_height_;
-    std::uint32_t strips_, rows_;
-    double reach_, skin_;
+    CellGrid grid_;
+    double reach_, skin_, slack_ = 0;
+    RelativeMotion motion_;
     bool with_walls_own_lists_;
 
     std::vector<std::uint32_t> fluid_start_;  ///< first particle of (phase, cell), plus an end mark
@@ -83,6 +94,7 @@ class NeighbourList {
     std::vector<std::size_t> shares_;
     std::vector<std::vector<std::uint32_t>> block_lists_;  ///< neighbour indices of a block of clusters
     std::vector<double> built_;                            ///< x, y of each fluid particle at the last build
+    std::vector<Vec2> built_body_;                         ///< places of the bodies' particles then
     std::vector<std::uint32_t> key_, order_;
     FluidParticles sorted_;  ///< scratch of the sort, kept to avoid allocation
     WallParticles sorted_walls_;

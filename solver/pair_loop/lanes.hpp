@@ -27,6 +27,32 @@ WETDECK_INLINE void load_columns(const State* state, const Cluster& cluster, Pac
     transpose(rows, columns);
 }
 
+/// The way back, for the particles that the cluster has.
+template <class State>
+WETDECK_INLINE void store_columns(Pack (&columns)[pack_width], State* state, const Cluster& cluster) {
+    double* rows[cluster_width];
+    for (std::uint32_t lane = 0; lane < cluster_width; ++lane)
+        rows[lane] = &state[cluster.first + std::min(lane, cluster.count - 1)].x;
+    if (cluster.count < cluster_width) {  // lanes beyond hold the last particle, too
+        for (Pack& column : columns)
+            for (std::uint32_t lane = cluster.count; lane < cluster_width; ++lane)
+                column.lanes[lane] = column.lanes[cluster.count - 1];
+    }
+    transpose(columns, rows);
+}
+
+/// One number of each particle of a cluster.
+WETDECK_INLINE Pack load(const double* values, const Cluster& cluster) {
+    Pack pack;
+    if (cluster.count == cluster_width) {
+        std::memcpy(&pack.lanes, values + cluster.first, sizeof pack.lanes);
+    } else {
+        for (std::uint32_t lane = 0; lane < cluster_width; ++lane)
+            pack.lanes[lane] = values[cluster.first + std::min(lane, cluster.count - 1)];
+    }
+    return pack;
+}
+
 WETDECK_INLINE Lanes load(const FluidState* state, const Cluster& cluster) {
     Pack c[pack_width];
     load_columns(state, cluster, c);

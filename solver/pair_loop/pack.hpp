@@ -79,10 +79,9 @@ WETDECK_INLINE void square_roots(Pack x, Pack& root, Pack& inverse_root) {
 WETDECK_INLINE bool any(Pack::Mask m) {
     return _mm512_movepi64_mask(__m512i(m.lanes)) != 0;
 }
-/// rows[k] holds eight numbers; columns[n] receives the n-th of each.
-WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
-    Pack::Lanes a[pack_width], b[pack_width];
-    for (int n = 0; n < pack_width; ++n) a[n] = Pack::Lanes(_mm512_load_pd(rows[n]));
+/// Turns a square of eight packs: what was the n-th number of the k-th becomes the k-th of the n-th.
+WETDECK_INLINE void turn(Pack::Lanes (&a)[pack_width]) {
+    Pack::Lanes b[pack_width];
     for (int n = 0; n < pack_width; n += 2) {
         b[n] = __builtin_shufflevector(a[n], a[n + 1], 0, 8, 2, 10, 4, 12, 6, 14);
         b[n + 1] = __builtin_shufflevector(a[n], a[n + 1], 1, 9, 3, 11, 5, 13, 7, 15);
@@ -94,9 +93,24 @@ WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&co
     }
     for (int n = 0; n < pack_width; ++n) {
         const int low = n & ~4;
-        columns[n] = (n & 4) != 0 ? __builtin_shufflevector(a[low], a[low + 4], 4, 5, 6, 7, 12, 13, 14, 15)
-                                  : __builtin_shufflevector(a[low], a[low + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+        b[n] = (n & 4) != 0 ? __builtin_shufflevector(a[low], a[low + 4], 4, 5, 6, 7, 12, 13, 14, 15)
+                            : __builtin_shufflevector(a[low], a[low + 4], 0, 1, 2, 3, 8, 9, 10, 11);
     }
+    for (int n = 0; n < pack_width; ++n) a[n] = b[n];
+}
+/// rows[k] holds eight numbers; columns[n] receives the n-th of each.
+WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
+    Pack::Lanes a[pack_width];
+    for (int n = 0; n < pack_width; ++n) a[n] = Pack::Lanes(_mm512_load_pd(rows[n]));
+    turn(a);
+    for (int n = 0; n < pack_width; ++n) columns[n] = a[n];
+}
+/// The way back; several rows may be the same place, which then receives the last of them.
+WETDECK_INLINE void transpose(const Pack (&columns)[pack_width], double* const (&rows)[pack_width]) {
+    Pack::Lanes a[pack_width];
+    for (int n = 0; n < pack_width; ++n) a[n] = columns[n].lanes;
+    turn(a);
+    for (int n = 0; n < pack_width; ++n) _mm512_store_pd(rows[n], __m512d(a[n]));
 }
 #else
 WETDECK_INLINE Pack maximum(Pack a, Pack b) {
@@ -117,6 +131,10 @@ WETDECK_INLINE bool any(Pack::Mask m) {
 WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
     for (int n = 0; n < pack_width; ++n)
         for (int lane = 0; lane < pack_width; ++lane) columns[n].lanes[lane] = rows[lane][n];
+}
+WETDECK_INLINE void transpose(const Pack (&columns)[pack_width], double* const (&rows)[pack_width]) {
+    for (int lane = 0; lane < pack_width; ++lane)
+        for (int n = 0; n < pack_width; ++n) rows[lane][n] = columns[n].lanes[lane];
 }
 #endif
 

@@ -97,7 +97,8 @@ struct PairLoops {
     Pass density_rates = nullptr;
     Pass accelerations = nullptr;
     Pass body_forces = nullptr;  ///< Eq. (20); writes wall_force of bodies that have fluid near
-    /// Sets density from its rate, then volume and pressure, for particles [first, last).
+    /// Sets density from its rate over dt, then volume and pressure, and moves on by half of dt, for
+    /// particles [first, last): what a step does to each by itself once its rate is known, in one sweep.
     void (*advance_density)(FluidState*, const double* rate, const double* mass, std::size_t first,
                             std::size_t last, double dt, const TaitEquationOfState&, const DensityBounds&,
                             int threads) = nullptr;

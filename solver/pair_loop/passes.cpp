@@ -224,22 +224,20 @@ void advance_phase(FluidState* state, const double* rate, const double* mass, st
     const auto blocks = static_cast<std::int64_t>((last - first + cluster_width - 1) / cluster_width);
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t block = 0; block < blocks; ++block) {
-        const std::size_t begin = first + static_cast<std::size_t>(block) * cluster_width;
-        const std::size_t count = std::min<std::size_t>(cluster_width, last - begin);
-        Pack density = eos.reference_density, cover = 1.0;
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            density.lanes[lane] = state[begin + lane].density + dt * rate[begin + lane];
-            if (bounds.cover) cover.lanes[lane] = bounds.cover[begin + lane];
-        }
-        density = bounds.limit(density, cover, eos.reference_density);
+        Cluster eight;
+        eight.first = static_cast<std::uint32_t>(first) + static_cast<std::uint32_t>(block) * cluster_width;
+        eight.count = std::min(cluster_width, static_cast<std::uint32_t>(last) - eight.first);
+        Pack p[pack_width];
+        load_columns(state, eight, p);
+        Pack &x = p[0], &y = p[1], &pressure = p[4], &volume = p[5], &density = p[6];
+        const Pack vx = p[2], vy = p[3], cover = bounds.cover ? load(bounds.cover, eight) : Pack(1.0);
+        density = bounds.limit(density + dt * load(rate, eight), cover, eos.reference_density);
         const Pack ratio = density * (1 / eos.reference_density);
-        const Pack pressure = eos.coefficient() * (power(ratio) - 1.0) + eos.background_pressure;
-        for (std::size_t lane = 0; lane < count; ++lane) {
-            FluidState& particle = state[begin + lane];
-            particle.density = density.lanes[lane];
-            particle.volume = mass[begin + lane] / density.lanes[lane];
-            particle.pressure = pressure.lanes[lane];
-        }
+        pressure = eos.coefficient() * (power(ratio) - 1.0) + eos.background_pressure;
+        volume = load(mass, eight) / density;
+        x += 0.5 * dt * vx;
+        y += 0.5 * dt * vy;
+        store_columns(p, state, eight);
     }
 }
 

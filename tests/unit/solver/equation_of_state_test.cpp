@@ -93,6 +93,8 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
             state[i].density = 0.2 + 0.13 * static_cast<double>(i);
             rate[i] = 0.4 - 0.05 * static_cast<double>(i);
             mass[i] = 0.01 * static_cast<double>(i + 1);
+            state[i].vx = 1 + static_cast<double>(i);
+            state[i].vy = -2 * state[i].vx;
         }
         const std::vector<FluidState> before = state;
         const PairLoops loops = pair_loops(samples::two_phase_model(), name.c_str());
@@ -105,6 +107,9 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
                 advanced ? std::max(before[i].density + dt * rate[i], lowest) : before[i].density;
             CHECK(state[i].density == Approx(density).epsilon(1e-15));
             CHECK(state[i].volume == Approx(advanced ? mass[i] / density : 0).epsilon(1e-14));
+            CHECK(state[i].x == Approx(advanced ? 0.5 * dt * before[i].vx : 0));
+            CHECK(state[i].y == Approx(advanced ? 0.5 * dt * before[i].vy : 0));
+            CHECK(state[i].velocity() == before[i].velocity());
             CHECK(state[i].pressure == Approx(advanced ? eos.pressure(density) : 0)
                                            .epsilon(1e-12)
                                            .margin(1e-12 * eos.coefficient()));

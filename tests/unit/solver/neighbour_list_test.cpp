@@ -2,10 +2,12 @@
 // The neighbour list against brute force.
 #include "solver/neighbours/neighbour_list.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 
+#include "solver/setup/lattice.hpp"
 #include "tests/support/samples.hpp"
 
 using namespace wetdeck;
@@ -103,19 +105,109 @@ TEST_CASE("The list holds every pair within support and skin, for disordered set
     CHECK(missing_of_walls(listed, support + 8 * skin) > 0);
 }
 
-TEST_CASE("The list still holds every pair in support after all moved by just under half the skin",
-          "[neighbours]") {
-    Listed listed(spilling_tank(4), 1);
-    CHECK(listed.list.allowance() == Approx(0.5 * skin));
+/// Moves all fluid to where `flow` takes it from where the list was built; returns the longest move.
+template <class Flow>
+double move(Listed& listed, const Flow& flow) {
+    double longest = 0;
     for (std::size_t i = 0; i < listed.setup.fluid.size(); ++i) {
         FluidState& p = listed.setup.fluid.state[i];
-        REQUIRE(p.position() == listed.list.built_at(i));
-        const double direction = 2.3 * static_cast<double>(listed.setup.fluid.id[i]);
-        p.x += 0.999 * listed.list.allowance() * std::cos(direction);
-        p.y += 0.999 * listed.list.allowance() * std::sin(direction);
+        const Vec2 by = flow(listed.list.built_at(i), listed.setup.fluid.id[i]);
+        p.x = listed.list.built_at(i).x() + by.x();
+        p.y = listed.list.built_at(i).y() + by.y();
+        longest = std::max(longest, by.norm());
     }
-    CHECK(missing(listed, support) == 0);
-    CHECK(missing_of_walls(listed, support) == 0);
+    return longest;
+}
+
+/// Goes with a flow that grows step by step until the list gives up. Returns how far the fastest had moved
+/// when it was complete for the last time.
+template <class Flow>
+double moved_while_complete(Listed& listed, const Flow& flow) {
+    double moved = 0, step = 0.05 * skin;
+    for (int n = 1; n <= 1000; ++n) {
+        const double longest =
+            move(listed, [&](Vec2 at, std::uint32_t id) -> Vec2 { return n * step * flow(at, id); });
+        if (!listed.list.still_complete(step, listed.setup.fluid, listed.setup.walls, 2)) return moved;
+        if (n % 5 == 0) {
+            CHECK(missing(listed, support) == 0);
+            CHECK(missing_of_walls(listed, support) == 0);
+        }
+        moved = longest;
+    }
+    return moved;
+}
+
+TEST_CASE("The list says that it is complete as long as it holds every pair in support, whatever the flow",
+          "[neighbours]") {
+    Listed listed(spilling_tank(4), 1);
+    CHECK(listed.list.slack() == Approx(skin));
+    SECTION("each particle goes its own way: half the skin for each") {
+        const double moved = moved_while_complete(listed, [](Vec2, std::uint32_t id) -> Vec2 {
+            return {std::cos(2.3 * id), std::sin(2.3 * id)};
+        });
+        CHECK(moved >= 0.3 * skin);  // the diagonal of the box around all directions is 2 sqrt(2) moves
+        CHECK(moved <= 0.55 * skin);
+    }
+    SECTION("all go together: the walls are what they approach") {
+        const double moved = moved_while_complete(listed, [](Vec2, std::uint32_t) -> Vec2 {
+            return {0.8, 0.6};
+        });
+        CHECK(moved == Approx(skin).epsilon(0.06));
+    }
+    SECTION("a shear and a stagnation flow") {
+        moved_while_complete(listed, [](Vec2 at, std::uint32_t) -> Vec2 {
+            return {std::clamp(at.y(), 0.0, 1.0), 0.0};
+        });
+    }
+    SECTION("a stagnation flow") {
+        moved_while_complete(listed, [](Vec2 at, std::uint32_t) -> Vec2 {
+            const Vec2 from = 0.5 * (at - Vec2(0.5, 0.5));
+            return Vec2(from.x(), -from.y()) / std::max(1.0, from.norm());
+        });
+    }
+    SECTION("a vortex with a jump at its rim") {
+        moved_while_complete(listed, [](Vec2 at, std::uint32_t) -> Vec2 {
+            const Vec2 from = at - Vec2(0.5, 0.4);
+            return from.norm() < 0.3 ? Vec2(3 * Vec2(-from.y(), from.x())) : Vec2(0.1, 0.0);
+        });
+    }
+    // the counting sees what a list lacks that is used for longer
+    move(listed, [](Vec2, std::uint32_t id) -> Vec2 {
+        return 4 * skin * Vec2(std::cos(2.3 * id), std::sin(2.3 * id));
+    });
+    CHECK(missing(listed, support) > 0);
+}
+
+TEST_CASE("Far from walls the list outlives any move that all particles share, up to a block",
+          "[neighbours]") {
+    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {2, 2}}};
+    fill_box(setup.fluid, Phase::water, {{0.5, 0.5}, {1.5, 1.5}}, spacing, 1000);
+    Listed listed(setup, 1);
+    CHECK(moved_while_complete(listed, [](Vec2, std::uint32_t) -> Vec2 { return {0.6, -0.8}; }) > 1.4 * skin);
+}
+
+TEST_CASE("One particle that flies at its neighbours ends the life of the list", "[neighbours]") {
+    Listed listed(samples::shaken_tank(samples::two_phase_model(), 7), 1);
+    const double moved = moved_while_complete(
+        listed, [](Vec2, std::uint32_t id) -> Vec2 { return id == 100 ? Vec2(1, 0) : Vec2(0, 0); });
+    CHECK(moved == Approx(skin).epsilon(0.06));
+}
+
+TEST_CASE("A body that comes nearer ends the life of the list", "[neighbours]") {
+    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {2, 2}}};
+    fill_box(setup.fluid, Phase::water, {{0.5, 0.5}, {1.5, 1.0}}, spacing, 1000);
+    setup.walls.add_body_point(0, {0, 0}, {0, -1});
+    setup.walls.state[0].x = 1;
+    setup.walls.state[0].y = 1.1;
+    Listed listed(setup, 1);
+    WallParticles& walls = listed.setup.walls;
+    double moved = 0;
+    while (listed.list.still_complete(0.05 * skin, listed.setup.fluid, walls, 1)) {
+        walls.state[0].y -= 0.05 * skin;
+        moved += 0.05 * skin;
+        REQUIRE(moved < 10 * skin);
+    }
+    CHECK(moved == Approx(skin).epsilon(0.06));
 }
 
 TEST_CASE(
