@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters of the scheme away from where they are used: dam break and wedge of 30 degrees.
+// The parameters of the scheme away from where they are used: dam break and, for the limits, every body.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,10 +17,6 @@ Trial dam_break_with(Scheme scheme, Parameter set, double value) {
     return trial_of(dam_break(), scheme, [=](Model& model) { set(model, value); });
 }
 
-Trial wedge_with(Scheme scheme, Parameter set, double value) {
-    return trial_of(wedge_entry(30), scheme, [=](Model& model) { set(model, value); });
-}
-
 std::vector<Setting> dam_breaks(Parameter set, const std::vector<double>& values, double quick) {
     std::vector<Setting> settings;
     for (const double value : values)
@@ -29,16 +25,27 @@ std::vector<Setting> dam_breaks(Parameter set, const std::vector<double>& values
     return settings;
 }
 
-Search dam_break_limit(std::string quantity, Parameter set, double from, double to) {
-    return {"dam_break", std::move(quantity),
-            from,        to,
-            1.1,         [=](double value) { return dam_break_with(Scheme::standard, set, value); }};
+/// @param scene  a SceneCase or an Entry
+template <typename Scene>
+Search limit(std::string name, const Scene& scene, std::string quantity, Parameter set, double from,
+             double to) {
+    return {std::move(name), std::move(quantity), from, to, 1.1, [=](double value) {
+                return trial_of(scene, Scheme::standard, [=](Model& model) { set(model, value); });
+            }};
 }
 
-Search wedge_limit(std::string quantity, Parameter set, double from, double to) {
-    return {"wedge", std::move(quantity),
-            from,    to,
-            1.1,     [=](double value) { return wedge_with(Scheme::standard, set, value); }};
+/// @param length  divides the sides of all boxes; spacings are whole fractions of it
+template <typename Scene>
+Search spacing_limit(std::string name, Scene (*with)(double), double length, double from, double to) {
+    return {std::move(name), "spacing [m]", from, to, 1.2, [=](double dx) {
+                return trial_of(with(length / std::round(length / dx)), Scheme::standard);
+            }};
+}
+
+Entry wedge_with_spacing(double dx) {
+    Entry entry = wedge_entry(30);
+    entry.particle_spacing = entry.gap = dx;
+    return entry;
 }
 
 void set_courant(Model& m, double value) {
@@ -58,41 +65,54 @@ void set_background(Model& m, double value) {
 }
 
 Case courant() {
-    Case result{"courant",
-                "dam break, factor of the time step",
-                dam_breaks(set_courant, {0.1, 0.25, 0.5, 0.75}, 0),
-                {dam_break_limit("courant_number", set_courant, 0.5, 4),
-                 wedge_limit("courant_number", set_courant, 0.5, 4)}};
+    Case result{"courant", "dam break, factor of the time step",
+                dam_breaks(set_courant, {0.1, 0.25, 0.5, 0.75}, 0)};
     result.settings.push_back({"3", [](Scheme s) { return dam_break_with(s, set_courant, 3); }, true,
                                "sound travels three smoothing lengths in a step"});
+    const auto search = [&](std::string name, const auto& scene) {
+        result.searches.push_back(limit(std::move(name), scene, "courant_number", set_courant, 0.5, 4));
+    };
+    search("dam_break", dam_break());
+    search("wedge", wedge_entry(30));
+    search("flat_plate", flat_plate());
+    search("catamaran", catamaran());
+    search("sinking_rectangle", sinking_rectangle());
     return result;
 }
 
+/// The air's sound speed stays. A higher one of the water costs nothing while it is below that.
 Case sound_speed() {
-    Case result{"sound_speed",
-                "dam break, sound speed of the water [m/s]",
-                dam_breaks(set_sound_speed, {100, 50, 24.26, 16}, 0),
-                {dam_break_limit("sound_speed [m/s]", set_sound_speed, 24.26, 2),
-                 wedge_limit("sound_speed [m/s]", set_sound_speed, 120, 10)}};
+    Case result{"sound_speed", "dam break, sound speed of the water [m/s]",
+                dam_breaks(set_sound_speed, {100, 50, 24.26, 16}, 0)};
     result.settings.push_back({"8", [](Scheme s) { return dam_break_with(s, set_sound_speed, 8); }, false,
                                "the water's speed of 4 m/s is Mach 0.5"});
+    const auto search = [&](std::string name, const auto& scene, double from, double to) {
+        const char* quantity = to < from ? "sound_speed [m/s]" : "higher sound_speed [m/s]";
+        result.searches.push_back(limit(std::move(name), scene, quantity, set_sound_speed, from, to));
+    };
+    search("dam_break", dam_break(), 24.26, 2);
+    search("wedge", wedge_entry(30), 120, 10);
+    search("flat_plate", flat_plate(), 60, 5);
+    search("catamaran", catamaran(), 15, 1.25);
+    search("sinking_rectangle", sinking_rectangle(), 12.247, 1);
+    search("flat_plate", flat_plate(), 60, 600);
+    search("catamaran", catamaran(), 15, 150);
+    search("sinking_rectangle", sinking_rectangle(), 12.247, 120);
     return result;
 }
 
 Case spacing() {
-    Case result{"spacing", "dam break, spacing [m]", {}, {}};
+    Case result{"spacing",
+                "dam break, spacing [m]",
+                {},
+                {spacing_limit("dam_break", dam_break, 0.6, 0.06, 0.3),
+                 spacing_limit("wedge", wedge_with_spacing, 0.2, 0.02, 0.05),
+                 spacing_limit("flat_plate", flat_plate, 0.1, 0.004, 0.02),
+                 spacing_limit("catamaran", catamaran, 0.08, 0.004, 0.01),
+                 spacing_limit("sinking_rectangle", sinking_rectangle, 1, 1.0 / 16, 1.0 / 6)}};
     for (const double dx : {0.12, 0.1, 0.04, 0.03})
         result.settings.push_back(
             {fmt::format("{:g}", dx), [=](Scheme s) { return trial_of(dam_break(dx), s); }, dx == 0.1});
-    result.searches.push_back({"dam_break", "spacing [m]", 0.06, 0.3, 1.2, [](double dx) {
-                                   return trial_of(dam_break(0.6 / std::round(0.6 / dx)), Scheme::standard);
-                               }});
-    result.searches.push_back({"wedge", "spacing [m]", 0.02, 0.05, 1.2, [](double dx) {
-                                   Entry entry = wedge_entry(30);
-                                   entry.particle_spacing = 0.2 / std::round(0.2 / dx);
-                                   entry.gap = entry.particle_spacing;
-                                   return trial_of(entry, Scheme::standard);
-                               }});
     return result;
 }
 

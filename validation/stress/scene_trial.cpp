@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -76,6 +77,25 @@ SceneCase dam_break(double particle_spacing) {
             particle_spacing,
             1.2,
             {"tank.size=[3.6,1.8]", "air.boxes=[[1.2,0.0,3.6,0.6],[0.0,0.6,3.6,1.8]]"}};
+}
+
+SceneCase flat_plate(double particle_spacing) {
+    const std::string outline = fmt::format("[[-0.125, 0], [0.125, 0], [0.125, {0}], [-0.125, {0}]]",
+                                            std::max(0.02, 3 * particle_spacing));
+    return {"flat_plate", "two-phase", particle_spacing, 0.0085, {"body.outline=" + outline}};
+}
+
+SceneCase catamaran(double particle_spacing) {
+    const double outside = 0.28 + std::max(0.012, 3 * particle_spacing);
+    const std::string outline = fmt::format(
+        "[[0, 0], [0.28, 0.1305661], [0.28, -0.03], [{0}, -0.03], [{0}, 0.1605661], [-{0}, 0.1605661], "
+        "[-{0}, -0.03], [-0.28, -0.03], [-0.28, 0.1305661]]",
+        outside);
+    return {"catamaran", "air-model-1", particle_spacing, 0.02, {"body.outline=" + outline}};
+}
+
+SceneCase sinking_rectangle(double particle_spacing) {
+    return {"sinking_rectangle", "two-phase", particle_spacing, 4};
 }
 
 void Entry::scale_to(double new_speed) {

@@ -3,6 +3,7 @@
 #include "validation/stress/cases.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <set>
 
 #include "solver/core/errors.hpp"
@@ -20,10 +21,33 @@ TEST_CASE("Cases and their settings have names of their own", "[stress]") {
         CHECK_FALSE(member.settings.empty());
         std::set<std::string> settings;
         for (const Setting& setting : member.settings) CHECK(settings.insert(setting.name).second);
+        std::set<std::string> searches;
+        for (const Search& search : member.searches)
+            CHECK(searches.insert(search.name + search.quantity).second);
     }
     CHECK(cases_named({}).size() == all_cases().size());
     CHECK(cases_named({"skin", "courant"}).front().name == "courant");
     CHECK_THROWS_AS(cases_named({"courant", "kraken"}), InputError);
+}
+
+TEST_CASE("Time step, sound speed and spacing have limits searched in every scene", "[stress]") {
+    for (const Case& member : cases_named({"courant", "sound_speed", "spacing"})) {
+        std::set<std::string> scenes;
+        for (const Search& search : member.searches) scenes.insert(search.name);
+        INFO(member.name);
+        CHECK(scenes ==
+              std::set<std::string>{"dam_break", "wedge", "flat_plate", "catamaran", "sinking_rectangle"});
+    }
+}
+
+TEST_CASE("Every spacing that a search may try fits its scene", "[stress]") {
+    const Case spacing = cases_named({"spacing"}).front();
+    for (const Search& search : spacing.searches)
+        for (const double share : {0.5, 0.63, 0.77, 0.9, 1.0}) {
+            const double dx = search.from * std::pow(search.to / search.from, share);
+            INFO(search.name << " at " << dx << " m");
+            CHECK(search.build(dx).simulation.particle_spacing() == Approx(dx).epsilon(0.25));
+        }
 }
 
 TEST_CASE("A coarse dam break lives at the step in use and dies at six times that", "[stress]") {
