@@ -8,6 +8,8 @@ set(WETDECK_SANITIZE "" CACHE STRING "Sanitizers to build with, for example addr
 if(WETDECK_SANITIZE)
   target_compile_options(wetdeck_options INTERFACE -fsanitize=${WETDECK_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all
+                         # these checks, most of them of pointers, multiply the time of compilation
+                         $<$<CXX_COMPILER_ID:GNU>:-fno-sanitize=null,alignment,object-size,vptr,return>
                          # g++ 12 takes std::regex for uninitialised once it is instrumented
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(wetdeck_options INTERFACE -fsanitize=${WETDECK_SANITIZE})
