@@ -44,6 +44,13 @@ std::vector<std::string> doubtful(const Scene& scene) {
             "the water would be compressed by about {:.2g} %",
             eos.sound_speed, speed, 100 * speed * speed / (eos.sound_speed * eos.sound_speed)));
     }
+    const TaitEquationOfState& air = scene.model.air.eos;
+    if (scene.air && air.background_pressure > 0.5 * air.coefficient()) {
+        found.push_back(fmt::format(
+            "model.background_pressure is {:.4g} Pa, more than half of the air's own stiffness rho "
+            "c^2/gamma, {:.3g} Pa: it would tear light air apart",
+            air.background_pressure, air.coefficient()));
+    }
     for (const BodySpec& body : scene.bodies) {
         const auto wet = [&](const Vec2& corner) {
             return std::any_of(scene.water_boxes.begin(), scene.water_boxes.end(), [&](const Box& box) {

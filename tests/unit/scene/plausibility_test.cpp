@@ -56,3 +56,14 @@ TEST_CASE("a mass in tonnes or grams is doubted") {
         CHECK_THAT(doubts[0], Contains("times the mass of the water it would displace"));
     }
 }
+
+TEST_CASE("a background pressure of the order of the air's stiffness is doubted") {
+    const double stiffness =
+        parse_scene(samples::small_scene, "small.toml", std::nullopt, {}).model.air.eos.coefficient();
+    const auto doubts = [](double pressure) {
+        return doubts_of({"model.background_pressure=" + std::to_string(pressure)});
+    };
+    CHECK(doubts(0.49 * stiffness).empty());
+    REQUIRE(doubts(0.51 * stiffness).size() == 1);
+    CHECK_THAT(doubts(0.51 * stiffness)[0], Contains("the air's own stiffness"));
+}
