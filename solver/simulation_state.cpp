@@ -202,6 +202,9 @@ void Simulation::restore(const State& state) {
 
     if (!std::all_of(listed_at.begin(), listed_at.end(), [](double x) { return std::isfinite(x); }))
         throw DataError("the state has particles nowhere");
+    const double slack = in.number("list_slack");
+    if (!(slack >= 0 && slack <= list_.skin()))
+        throw DataError("the state has a neighbour list that is not in use");
 
     // The list must be the very one that was in use, in its order: it is built where it was built then. The
     // particles have kept their order since, so that sorting them by their cells changes nothing.
@@ -215,7 +218,7 @@ void Simulation::restore(const State& state) {
     set_numbers(bodies_, listed_bodies);
     place_bodies();
     build_list();
-    list_.set_slack(in.number("list_slack"));
+    list_.set_slack(slack);
     unflatten(fluid, fluid_.state);
     set_numbers(bodies_, bodies);
     unflatten(wall, walls_.state);

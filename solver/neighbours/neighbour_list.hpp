@@ -41,6 +41,7 @@ class NeighbourList {
     /// Looks at the particles only when the sum of the longest moves has used up what was left of the skin.
     bool still_complete(double farthest, const FluidParticles& fluid, const WallParticles& walls,
                         int threads);
+    double skin() const { return skin_; }  ///< [m]
     /// By how much any two particles may still come closer: the skin after a build [m].
     double slack() const { return slack_; }
     /// For a list that was built again as it was at a checkpoint.

@@ -105,6 +105,9 @@ TEST_CASE("A state that does not fit is refused", "[determinism]") {
     SECTION("with a particle nowhere") {
         state.arrays["listed_at"][5] = std::numeric_limits<double>::quiet_NaN();
     }
+    SECTION("with a list that would never be built again") {
+        state.numbers["list_slack"] = GENERATE(1e300, -1.0, std::numeric_limits<double>::quiet_NaN());
+    }
     SECTION("with a count that is none") {
         state.numbers["steps"] = -1;
     }
