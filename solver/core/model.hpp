@@ -33,8 +33,8 @@ struct Model {
     double pressure_diffusion = 1;       ///< factor on the pressure jump in u*, 1 is the Riemann value
     bool hydrostatic_correction = true;  ///< the jump counts only beyond the hydrostatic one
     Dissipation dissipation = Dissipation::low_dissipation;  ///< of approaching pairs
-    double dissipation_slope = 10;          ///< of the limiter min(slope du / c, 1), within a phase
-    double air_dissipation = 0.03;          ///< least share of the Riemann dissipation in pairs with air
+    double dissipation_slope = 10;          ///< of the limiter min(slope du / c, 1), water with water
+    double air_dissipation = 0.03;          ///< share of the full Riemann dissipation in pairs with air
     Viscosity viscosity = Viscosity::none;  ///< form of the viscous force
     bool dissipation_switch = false;        ///< Yang et al. (2020), Eqs. (14)-(15)
     WallSlip wall_slip = WallSlip::free;    ///< whether walls drag the fluid along

@@ -57,9 +57,10 @@ PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, 
     const bool with_air = left == Phase::air || right == Phase::air;
     if (model.dissipation == Dissipation::riemann) {
         c.limiter.floor = 1;
+    } else if (with_air) {
+        c.limiter.floor = model.air_dissipation;
     } else {
-        if (with_air) c.limiter.floor = model.air_dissipation;
-        if (left == right) c.limiter.slope_over_speed = model.dissipation_slope / l.eos.sound_speed;
+        c.limiter.slope_over_speed = model.dissipation_slope / l.eos.sound_speed;
     }
     if (l.viscosity > 0 && r.viscosity > 0) {
         c.viscosity =

@@ -3,8 +3,7 @@
 // al. (2020), Eq. (10), with the limiter of Zhang, Hu and Adams (2017):
 //     D = 1/2 Z beta du,   beta = clamp(slope du / c, floor, 1)
 // slope 3, floor 0: low dissipation (only approaching pairs, in proportion to the jump). floor 1: the full
-// Riemann value for both signs. floor 0.03: at least that share of it for both signs, as pairs with air need;
-// slope 0 between the phases.
+// Riemann value for both signs. floor 0.03, slope 0: that share of it for both signs, as pairs with air need.
 // Against a wall, whose side of the jump is the other's mirror image, half the jump is taken with Z for Z/2.
 //
 // The switch adds 1/2 rho |u_mean| du where the pressure convection rate grad(p).v exceeds rho g v_max, Eqs.

@@ -74,8 +74,7 @@ struct Pair {
         if (model.dissipation == Dissipation::none) return 0;
         DissipationLimiter limiter{0.5 * mean_impedance(), 0, 1};
         if (model.dissipation == Dissipation::low_dissipation) {
-            const bool alike = &left_material == &right_material;
-            limiter.slope_over_speed = alike ? model.dissipation_slope / left_material.eos.sound_speed : 0;
+            limiter.slope_over_speed = with_air ? 0 : model.dissipation_slope / left_material.eos.sound_speed;
             limiter.floor = with_air ? model.air_dissipation : 0;
         }
         return riemann_dissipation(jump, limiter);

@@ -27,7 +27,7 @@ std::vector<Ingredient> ingredients_of(const Scene& scene) {
     add(m.hydrostatic_correction, "hydrostatic correction", {"model.hydrostatic_correction=false"});
     add(m.dissipation == Dissipation::riemann, "Riemann dissipation", {"model.dissipation=none"});
     // that of pairs with air must stay
-    add(low_dissipation && m.dissipation_slope > 0, "limited dissipation",
+    add(low_dissipation && m.dissipation_slope > 0, "water dissipation",
         {scene.air ? "model.dissipation_slope=0" : "model.dissipation=none"});
     add(low_dissipation && scene.air && m.air_dissipation > 0, "air dissipation",
         {"model.air_dissipation=0"});

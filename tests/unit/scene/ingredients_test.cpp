@@ -25,11 +25,11 @@ std::vector<std::string> names(const Scene& scene) {
 
 TEST_CASE("only what a scene has can be left out of it") {
     CHECK(names(small("two-phase")) ==
-          std::vector<std::string>{"air", "hydrostatic correction", "limited dissipation", "air dissipation",
+          std::vector<std::string>{"air", "hydrostatic correction", "water dissipation", "air dissipation",
                                    "wall dissipation", "mirrored wall velocity", "Shepard wall pressure",
                                    "background pressure", "pressure diffusion", "density bound"});
     CHECK(names(small("single-phase")) ==
-          std::vector<std::string>{"hydrostatic correction", "limited dissipation", "wall dissipation",
+          std::vector<std::string>{"hydrostatic correction", "water dissipation", "wall dissipation",
                                    "mirrored wall velocity", "Shepard wall pressure", "pressure diffusion",
                                    "density bound"});
     CHECK(names(small("single-phase", {"model.dissipation=riemann", "model.viscosity=symmetric",
