@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // verification.json keeps all that the report shows, and says what is wrong with a file that is none.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -12,9 +14,10 @@ using namespace wetdeck;
 
 namespace {
 
+/// In a file of this process alone: tests run side by side.
 std::filesystem::path written(const std::string& text) {
-    const std::filesystem::path file =
-        std::filesystem::temp_directory_path() / "wetdeck_verification_test.json";
+    const std::filesystem::path file = std::filesystem::temp_directory_path() /
+                                       ("wetdeck_verification_test_" + std::to_string(getpid()) + ".json");
     std::ofstream(file) << text;
     return file;
 }
