@@ -82,7 +82,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
                                         model_.wall_pressure == WallPressure::shepard};
     coefficients_.fixed_walls = walls_.fixed;
     list_.place_fixed(walls_);
-    update_density(0);
+    advance_fluid(0);
     built_bodies_ = bodies_;
     place_bodies();
     build_list();
@@ -152,7 +152,7 @@ void Simulation::soak(std::initializer_list<std::vector<double>*> rates) {
 }
 
 /// Densities from their rates over a step, volumes and pressures, and the second half drift.
-void Simulation::update_density(double dt) {
+void Simulation::advance_fluid(double dt) {
     const auto advance = [&](Phase phase, std::size_t first, std::size_t last) {
         const bool water = phase == Phase::water;
         const TaitEquationOfState& eos = water ? model_.water.eos : model_.air.eos;
@@ -162,8 +162,8 @@ void Simulation::update_density(double dt) {
         bounds.full_cover = model_.full_cover;
         const double weight = model_.gravity.norm() * particle_spacing_;
         bounds.open = eos.reference_density * (1 + weight / (eos.sound_speed * eos.sound_speed));
-        loops_.advance_density(fluid_.state.data(), fluid_.density_rate.data(), fluid_.mass.data(), first,
-                               last, dt, eos, bounds, threads_);
+        loops_.advance_fluid(fluid_.state.data(), fluid_.density_rate.data(), fluid_.mass.data(), first, last,
+                             dt, eos, bounds, threads_);
     };
     advance(Phase::water, 0, fluid_.water);
     advance(Phase::air, fluid_.water, fluid_.size());
@@ -275,7 +275,7 @@ double Simulation::kick_and_drift(double half) {
         RigidBody& body = bodies_[b];
         body.kick(half);
         body.drift(half);
-        fastest = std::max(fastest, body.velocity.norm() + body_radii_[b] * std::abs(body.angular_velocity));
+        fastest = std::max(fastest, body.fastest_within(body_radii_[b]));
     }
     place_bodies();
     return half * fastest;
@@ -284,7 +284,7 @@ double Simulation::kick_and_drift(double half) {
 /// The second half drift, with the densities at the end of the step.
 void Simulation::advance_and_drift(double dt) {
     const StageTimer timer(stages_.integration);
-    update_density(dt);
+    advance_fluid(dt);
     for (RigidBody& body : bodies_) body.drift(0.5 * dt);
     place_bodies();
 }

@@ -127,7 +127,7 @@ class Simulation {
     void density_pass();
     void wall_pass();
     void momentum_pass();
-    void update_density(double dt);
+    void advance_fluid(double dt);
     void attach_fluid();
     void load_bodies();
     void place_bodies();

@@ -64,7 +64,7 @@ void Simulation::place_bodies() {
 std::optional<Instability> Simulation::body_trouble(double dt) const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const RigidBody& body = bodies_[b];
-        const double fastest = body.velocity.norm() + std::abs(body.angular_velocity) * body_radii_[b];
+        const double fastest = body.fastest_within(body_radii_[b]);
         const bool in_tank =
             (body.position - domain_.low).minCoeff() > 0 && (domain_.high - body.position).minCoeff() > 0;
         if (in_tank && fastest < highest_mach_number * model_.water.eos.sound_speed) continue;

@@ -18,6 +18,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "solver/core/errors.hpp"
 #include "solver/core/vec2.hpp"
@@ -98,6 +99,10 @@ struct RigidBody {
 
     /// Velocity of the body where `arm` leads from the mass centre, Eq. (5) [m/s].
     Vec2 velocity_at(Vec2 arm) const { return velocity + angular_velocity * Vec2(-arm.y(), arm.x()); }
+    /// A speed that no point within `radius` [m] of the mass centre exceeds [m/s].
+    double fastest_within(double radius) const {
+        return velocity.norm() + radius * std::abs(angular_velocity);
+    }
     /// Acceleration there: of the centre, of the rotation, and centripetal [m/s^2].
     Vec2 acceleration_at(Vec2 arm) const {
         return acceleration + angular_acceleration * Vec2(-arm.y(), arm.x()) -

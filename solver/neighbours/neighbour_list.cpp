@@ -28,7 +28,7 @@ template <class State>
 ClusterPoints points_of(const State* state, const Cluster& cluster) {
     ClusterPoints points;
     for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
-        const State& particle = state[cluster.first + std::min(lane, cluster.count - 1)];
+        const State& particle = state[cluster.at(lane)];
         points.x[lane] = particle.x;
         points.y[lane] = particle.y;
     }
@@ -184,8 +184,7 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
-        const std::uint32_t cell = cell_index(cell_of(fluid.state[i].x, fluid.state[i].y));
-        key_[i] = cell + static_cast<std::uint32_t>(fluid.phase(i) == Phase::air ? cells() : 0);
+        key_[i] = sort_key(fluid.state[i].x, fluid.state[i].y, fluid.phase(i));
     }
     counting_sort(key_, phase_count * cells(), fluid_start_, order_);
     sorted_.state.resize(fluid.size());
@@ -213,9 +212,7 @@ void NeighbourList::place_images(const FluidParticles& fluid) {
     key_.clear();
     for (const PeriodicImages::Image& image : images_->images()) {
         const FluidState& p = fluid.state[image.source];
-        const bool air = fluid.phase(image.source) == Phase::air;
-        key_.push_back(cell_index(cell_of(p.x + image.shift, p.y)) +
-                       static_cast<std::uint32_t>(air ? cells() : 0));
+        key_.push_back(sort_key(p.x + image.shift, p.y, fluid.phase(image.source)));
     }
     counting_sort(key_, phase_count * cells(), image_start_, order_);
     images_->reorder(order_);

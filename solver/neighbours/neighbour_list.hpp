@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clusters of adjacent particles and their common neighbours.
 //
-// A grid of cells two spacings wide and one high, numbered strip by strip, serves twice: fluid particles
-// sorted along it make compact clusters (about 2 x 4 particles), and the candidates of a cluster are one
+// A grid of cells 3.2 spacings wide and one high, numbered strip by strip, serves twice: fluid particles
+// sorted along it make compact clusters, and the candidates of a cluster are one
 // contiguous run per strip. The list holds every pair closer than the kernel's support plus a skin. It stays
 // complete while no two particles can have come closer by more than the skin since it was built
 // (relative_motion.hpp).
@@ -72,6 +72,10 @@ class NeighbourList {
     };
     Cell cell_of(double x, double y) const;
     std::uint32_t cell_index(Cell cell) const { return cell.strip * grid_.rows + cell.row; }
+    /// What fluid is sorted by: phase, then cell.
+    std::uint32_t sort_key(double x, double y, Phase phase) const {
+        return cell_index(cell_of(x, y)) + static_cast<std::uint32_t>(phase == Phase::air ? cells() : 0);
+    }
     std::size_t cells() const { return std::size_t{grid_.strips} * grid_.rows; }
     void sort_fluid(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);

@@ -39,12 +39,8 @@ RelativeMotion::RelativeMotion(const CellGrid& grid, double reach, double skin) 
     moves_ = at_rest_;
 }
 
-void RelativeMotion::clear() {
-    std::copy(at_rest_.begin(), at_rest_.end(), moves_.begin());
-}
-
 void RelativeMotion::keep_at_rest(std::uint32_t strip, std::uint32_t row) {
-    at_rest_[std::size_t{strip / block_strips_} * layers_ + row / block_rows_] = {Vec2::Zero(), Vec2::Zero()};
+    at_rest_[block_of(strip, row)] = {Vec2::Zero(), Vec2::Zero()};
 }
 
 double RelativeMotion::approach(int threads) const {

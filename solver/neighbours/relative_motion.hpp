@@ -39,12 +39,10 @@ class RelativeMotion {
     std::uint32_t layers() const { return layers_; }              ///< blocks one above the other
 
     /// The box around the moves in the block that holds this cell; inverted where nothing has been there.
-    Box& moves(std::uint32_t strip, std::uint32_t row) {
-        return moves_[std::size_t{strip / block_strips_} * layers_ + row / block_rows_];
-    }
+    Box& moves(std::uint32_t strip, std::uint32_t row) { return moves_[block_of(strip, row)]; }
 
     /// Forgets all moves, but not what is at rest.
-    void clear();
+    void clear() { moves_ = at_rest_; }
     /// What is in this cell stays where it is: the tank's walls.
     void keep_at_rest(std::uint32_t strip, std::uint32_t row);
 
@@ -53,6 +51,10 @@ class RelativeMotion {
     std::size_t bytes() const { return (moves_.capacity() + at_rest_.capacity()) * sizeof(Box); }
 
   private:
+    std::size_t block_of(std::uint32_t strip, std::uint32_t row) const {
+        return std::size_t{strip / block_strips_} * layers_ + row / block_rows_;
+    }
+
     std::uint32_t block_strips_, block_rows_, columns_, layers_;
     double spare_;  ///< a block's shorter side less the reach [m]
     std::vector<Box> moves_, at_rest_;

@@ -22,8 +22,7 @@ template <class State>
 WETDECK_INLINE void load_columns(const State* state, const Cluster& cluster, Pack (&columns)[pack_width]) {
     static_assert(sizeof(State) == pack_width * sizeof(double) && alignof(State) == sizeof(State));
     const double* rows[cluster_width];
-    for (std::uint32_t lane = 0; lane < cluster_width; ++lane)
-        rows[lane] = &state[cluster.first + std::min(lane, cluster.count - 1)].x;
+    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) rows[lane] = &state[cluster.at(lane)].x;
     transpose(rows, columns);
 }
 
@@ -31,8 +30,7 @@ WETDECK_INLINE void load_columns(const State* state, const Cluster& cluster, Pac
 template <class State>
 WETDECK_INLINE void store_columns(Pack (&columns)[pack_width], State* state, const Cluster& cluster) {
     double* rows[cluster_width];
-    for (std::uint32_t lane = 0; lane < cluster_width; ++lane)
-        rows[lane] = &state[cluster.first + std::min(lane, cluster.count - 1)].x;
+    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) rows[lane] = &state[cluster.at(lane)].x;
     if (cluster.count < cluster_width) {  // lanes beyond hold the last particle, too
         for (Pack& column : columns)
             for (std::uint32_t lane = cluster.count; lane < cluster_width; ++lane)
@@ -48,7 +46,7 @@ WETDECK_INLINE Pack load(const double* values, const Cluster& cluster) {
         std::memcpy(&pack.lanes, values + cluster.first, sizeof pack.lanes);
     } else {
         for (std::uint32_t lane = 0; lane < cluster_width; ++lane)
-            pack.lanes[lane] = values[cluster.first + std::min(lane, cluster.count - 1)];
+            pack.lanes[lane] = values[cluster.at(lane)];
     }
     return pack;
 }

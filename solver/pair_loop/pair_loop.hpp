@@ -7,6 +7,7 @@
 // is fixed by the list alone. Results are therefore the same bits for any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -29,9 +30,12 @@ struct Cluster {
     const std::uint32_t* neighbours = nullptr;  ///< water, then air, then wall indices
     std::array<std::uint32_t, phase_count> fluid_neighbours{};
     std::uint32_t wall_neighbours = 0;
+
+    /// Index of the particle in a lane; the last one stands in for those that a smaller cluster lacks.
+    std::uint32_t at(std::uint32_t lane) const { return first + std::min(lane, count - 1); }
 };
 
-/// Places of the particles of a cluster; the last one stands in for those that a smaller cluster lacks.
+/// Places of the particles of a cluster, by lane.
 struct ClusterPoints {
     double x[cluster_width], y[cluster_width];
 };
@@ -99,9 +103,9 @@ struct PairLoops {
     Pass body_forces = nullptr;  ///< Eq. (20); writes wall_force of bodies that have fluid near
     /// Sets density from its rate over dt, then volume and pressure, and moves on by half of dt, for
     /// particles [first, last): what a step does to each by itself once its rate is known, in one sweep.
-    void (*advance_density)(FluidState*, const double* rate, const double* mass, std::size_t first,
-                            std::size_t last, double dt, const TaitEquationOfState&, const DensityBounds&,
-                            int threads) = nullptr;
+    void (*advance_fluid)(FluidState*, const double* rate, const double* mass, std::size_t first,
+                          std::size_t last, double dt, const TaitEquationOfState&, const DensityBounds&,
+                          int threads) = nullptr;
     /// Writes to `out` which of the candidates [begin, end) are within `reach` of any of the points, and
     /// returns how many. It may write one entry beyond them.
     std::uint32_t (*filter_near)(const ClusterPoints& points, const double* candidate_x_y, std::size_t stride,

@@ -241,9 +241,9 @@ void advance_phase(FluidState* state, const double* rate, const double* mass, st
     }
 }
 
-void advance_density(FluidState* state, const double* rate, const double* mass, std::size_t first,
-                     std::size_t last, double dt, const TaitEquationOfState& eos, const DensityBounds& bounds,
-                     int threads) {
+void advance_fluid(FluidState* state, const double* rate, const double* mass, std::size_t first,
+                   std::size_t last, double dt, const TaitEquationOfState& eos, const DensityBounds& bounds,
+                   int threads) {
     const auto advance = [&](auto power) {
         advance_phase(state, rate, mass, first, last, dt, eos, bounds, threads, power);
     };
@@ -309,7 +309,7 @@ PairLoops choose_pair_loops(const Model& model) {
         model.pressure_mean == Mean::harmonic, model.dissipation != Dissipation::none,
         model.viscosity != Viscosity::none, model.dissipation_switch, model.wall_slip == WallSlip::no);
     loops.body_forces = body_force_pass(model);
-    loops.advance_density = advance_density;
+    loops.advance_fluid = advance_fluid;
     loops.filter_near = filter_near;
     return loops;
 }

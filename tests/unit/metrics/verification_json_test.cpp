@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // verification.json keeps all that the report shows, and says what is wrong with a file that is none.
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
+#include "tests/unit/store/store_samples.hpp"
 #include "validation/metrics/verification_json.hpp"
 
 using namespace wetdeck;
 
 namespace {
 
-/// In a file of this process alone: tests run side by side.
-std::filesystem::path written(const std::string& text) {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() /
-                                       ("wetdeck_verification_test_" + std::to_string(getpid()) + ".json");
-    std::ofstream(file) << text;
-    return file;
+std::vector<VerificationProblem> read_back(const std::string& text) {
+    const samples::ScratchFolder folder;
+    std::ofstream(folder / "verification.json") << text;
+    return read_verification(folder / "verification.json");
 }
 
 }  // namespace
@@ -35,9 +31,7 @@ TEST_CASE("Results of problems are read back as they were written", "[verificati
                             false});
     judge(problem.rows[0]);
     problem.figures.push_back({"curve", "x", "m", "y", "-", {{0, 1}, {2, 3}}, {{"fine", {{0}, {1}}}}});
-    const auto file = written(verification_json({problem}).dump());
-    const auto read = read_verification(file);
-    std::filesystem::remove(file);
+    const auto read = read_back(verification_json({problem}).dump());
     REQUIRE(read.size() == 1);
     CHECK(verification_json(read) == verification_json({problem}));
     CHECK(read[0].rows[0].order.value() == Approx(1));
@@ -52,16 +46,13 @@ TEST_CASE("An error that is not a number is null in the file and outside its bou
     VerificationProblem problem;
     problem.rows.push_back({{"speed", "", "", 0.1, {}, ""}, {0.1}, {std::nan("")}, {}, true});
     judge(problem.rows[0]);
-    const auto file = written(verification_json({problem}).dump());
-    const auto read = read_verification(file);
-    std::filesystem::remove(file);
+    const auto read = read_back(verification_json({problem}).dump());
     CHECK(verification_list(read).at(0).at("error").at(0).is_null());
     CHECK_FALSE(read[0].rows[0].within);
 }
 
 TEST_CASE("A file that holds no results is refused; none at all is no results", "[verification]") {
-    const auto file = written("{\"name\": 3");
-    CHECK_THROWS_AS(read_verification(file), DataError);
-    std::filesystem::remove(file);
-    CHECK(read_verification(file).empty());
+    CHECK_THROWS_AS(read_back("{\"name\": 3"), DataError);
+    const samples::ScratchFolder empty;
+    CHECK(read_verification(empty / "verification.json").empty());
 }

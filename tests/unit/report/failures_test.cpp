@@ -9,6 +9,21 @@ using samples::between;
 using samples::contains;
 using samples::page_of;
 
+namespace {
+
+std::string failures_of(const std::string& page) {
+    return between(page, ">Failures</h2>", "<h2");
+}
+
+/// As of a run that did not reach what the quantity needs.
+void leave_uncomputed(RunSummary& run, const char* why) {
+    run.quantities[0].value.reset();
+    run.quantities[0].within.reset();
+    run.quantities[0].note = why;
+}
+
+}  // namespace
+
 TEST_CASE("A complete report says so by not saying incomplete", "[report]") {
     const std::string page = page_of(samples::summary());
     CHECK(contains(page, "<title>wetdeck report, tier quick</title>"));
@@ -23,7 +38,7 @@ TEST_CASE("A missing run is named and marks the title incomplete", "[report]") {
     const std::string page = page_of(summary);
     CHECK(contains(page, "<title>INCOMPLETE: wetdeck report"));
     CHECK(contains(page, "<h1>INCOMPLETE: wetdeck report"));
-    CHECK(contains(between(page, ">Failures</h2>", "<h2"), "tank paper dx 0.005"));
+    CHECK(contains(failures_of(page), "tank paper dx 0.005"));
     CHECK_FALSE(contains(between(page, ">Runs</h2>", "<h2"), "tank paper dx 0.005"));  // told once
 }
 
@@ -31,11 +46,9 @@ TEST_CASE("A run that died comes first, with its reason", "[report]") {
     Summary summary = samples::summary();
     summary.runs[0].record.status = RunStatus::unstable;
     summary.runs[0].record.stop_reason = "density error 0.3 at t = 0.1 s";
-    summary.runs[0].quantities[0].value.reset();
-    summary.runs[0].quantities[0].within.reset();
-    summary.runs[0].quantities[0].note = "ended before the window";
+    leave_uncomputed(summary.runs[0], "ended before the window");
     const std::string page = page_of(summary);
-    const std::string failures = between(page, ">Failures</h2>", "<h2");
+    const std::string failures = failures_of(page);
     CHECK(contains(failures, "tank<br>single-phase, 0.01 m"));
     CHECK(contains(failures, "density error 0.3 at t = 0.1 s"));
     CHECK(page.find(">Failures</h2>") < page.find(">Runs</h2>"));
@@ -46,11 +59,9 @@ TEST_CASE("What a run that died lacks is not listed again, and the page says so"
     Summary summary = samples::summary();
     RunSummary& dead = summary.runs[0];
     dead.record.status = RunStatus::unstable;
-    dead.quantities[0].value.reset();
-    dead.quantities[0].within.reset();
-    dead.quantities[0].note = "ended before the window";
+    leave_uncomputed(dead, "ended before the window");
     dead.comparisons[0].within = false;
-    const std::string failures = between(page_of(summary), ">Failures</h2>", "<h2");
+    const std::string failures = failures_of(page_of(summary));
     CHECK_FALSE(contains(failures, "ended before the window"));
     CHECK_FALSE(contains(failures, "Outside tolerance"));
     CHECK(contains(failures, "runs that did not reach their end (1) are not listed again"));
@@ -58,24 +69,18 @@ TEST_CASE("What a run that died lacks is not listed again, and the page says so"
 
 TEST_CASE("What a sound run did not reach is listed with the reason", "[report]") {
     Summary summary = samples::summary();
-    summary.runs[0].quantities[0].value.reset();
-    summary.runs[0].quantities[0].within.reset();
-    summary.runs[0].quantities[0].note = "does not rise through 5";
-    CHECK(contains(between(page_of(summary), ">Failures</h2>", "<h2"),
-                   "not computed: does not rise through 5"));
+    leave_uncomputed(summary.runs[0], "does not rise through 5");
+    CHECK(contains(failures_of(page_of(summary)), "not computed: does not rise through 5"));
 }
 
 TEST_CASE("What a run did not reach that was asked to stop early is no failure", "[report]") {
     Summary summary = samples::summary();
     for (RunSummary& run : summary.runs) {
-        run.quantities[0].value.reset();
-        run.quantities[0].within.reset();
-        run.quantities[0].note = "the series spans less";
+        leave_uncomputed(run, "the series spans less");
     }
-    CHECK(
-        contains(between(page_of(summary), ">Failures</h2>", "<h2"), "not computed: the series spans less"));
+    CHECK(contains(failures_of(page_of(summary)), "not computed: the series spans less"));
     for (RunSummary& run : summary.runs) run.record.parameters["run.until"] = 0.5;
-    const std::string failures = between(page_of(summary), ">Failures</h2>", "<h2");
+    const std::string failures = failures_of(page_of(summary));
     CHECK_FALSE(contains(failures, "not computed"));
     CHECK(contains(failures, "4 of the runs were asked to stop before their scene"));
 }
@@ -97,7 +102,7 @@ TEST_CASE("What lies outside tolerance is listed among the failures", "[report]"
     summary.runs[2].comparisons[0].within = false;
     summary.runs[2].comparisons[0].nrmse = 0.234;
     const std::string page = page_of(summary);
-    const std::string failures = between(page, ">Failures</h2>", "<h2");
+    const std::string failures = failures_of(page);
     CHECK(contains(failures, "<td rowspan=\"2\" class=\"name\">tank<br>two-phase, 0.01 m</td>"));
     CHECK(contains(failures, "expected 100\u00a0Pa, made up"));
     CHECK(contains(failures, "nrmse 0.234"));
@@ -113,7 +118,7 @@ TEST_CASE("A comparison without a reference file is neither a success nor a fail
         run.comparisons[0].note = "no such file";
     }
     const std::string page = page_of(summary);
-    CHECK_FALSE(contains(between(page, ">Failures</h2>", "<h2"), "no such file"));
+    CHECK_FALSE(contains(failures_of(page), "no such file"));
     CHECK(contains(page, "no such file"));
     CHECK(contains(page, "<b>4 of 4</b><span>reference curves met"));
 }

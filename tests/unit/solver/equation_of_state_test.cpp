@@ -100,7 +100,7 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
         const PairLoops loops = pair_loops(samples::two_phase_model(), name.c_str());
         DensityBounds bounds;
         bounds.lowest = lowest;
-        loops.advance_density(state.data(), rate.data(), mass.data(), 2, 19, dt, eos, bounds, 1);
+        loops.advance_fluid(state.data(), rate.data(), mass.data(), 2, 19, dt, eos, bounds, 1);
         for (std::size_t i = 0; i < state.size(); ++i) {
             const bool advanced = i >= 2 && i < 19;
             const double density =
