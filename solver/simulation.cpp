@@ -50,6 +50,7 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
       particle_spacing_(checked_spacing(particle_spacing)),
       domain_(domain),
       kernel_{model.smoothing_ratio * particle_spacing},
+      air_substeps_(fluid_.water > 0 && fluid_.water < fluid_.size() ? wetdeck::air_substeps(model) : 1),
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()),
       loops_(pair_loops(model)),
       list_(domain, particle_spacing, kernel_.support_radius(), model.skin * kernel_.smoothing_length,
@@ -99,7 +100,9 @@ PassInput Simulation::pass_input() {
     PassInput in = inputs();
     in.new_wall_mean = walls_.mean.data();
     in.density_rate = fluid_.density_rate.data();
-    if (model_.full_cover > 0) in.cover = fluid_.cover.data();
+    in.water_share = water_share_;
+    if (water_share_ == 0) in.shares = &list_.air_shares();
+    if (model_.full_cover > 0 && water_share_ > 0) in.cover = fluid_.cover.data();
     in.acceleration_x = fluid_.acceleration_x.data();
     in.acceleration_y = fluid_.acceleration_y.data();
     in.wall_force_x = walls_.force_x.data();
@@ -114,6 +117,10 @@ void Simulation::build_list() {
     std::fill(walls_.force_x.begin(), walls_.force_x.end(), 0.0);
     std::fill(walls_.force_y.begin(), walls_.force_y.end(), 0.0);
     ++list_builds_;
+    water_near_air_ = 0;
+    for (const Cluster& cluster : list_.clusters())
+        if (cluster.phase == Phase::water && cluster.fluid_neighbours[1] > 0)
+            water_near_air_ += cluster.count;
 }
 
 void Simulation::density_pass() {
@@ -123,7 +130,8 @@ void Simulation::density_pass() {
 }
 
 void Simulation::wall_pass() {
-    if (!needs_wall_means(model_)) return;
+    const bool of_use = water_share_ > 0 || model_.wall_pressure == WallPressure::shepard;
+    if (!needs_wall_means(model_) || !of_use) return;
     const StageTimer timer(stages_.walls);
     loops_.wall_means(pass_input());
 }
@@ -134,8 +142,9 @@ void Simulation::momentum_pass() {
     if (model_.central_frequency > 0) {
         const double stiffness = model_.central_frequency * model_.central_frequency;
         for (std::size_t i = 0; i < fluid_.size(); ++i) {
-            fluid_.acceleration_x[i] -= stiffness * fluid_.state[i].x;
-            fluid_.acceleration_y[i] -= stiffness * fluid_.state[i].y;
+            const double pull = (i < fluid_.water ? water_share_ : 1) * stiffness;
+            fluid_.acceleration_x[i] -= pull * fluid_.state[i].x;
+            fluid_.acceleration_y[i] -= pull * fluid_.state[i].y;
         }
     }
     if (model_.sponge_thickness > 0) soak({&fluid_.acceleration_x, &fluid_.acceleration_y});
@@ -158,7 +167,7 @@ void Simulation::advance_fluid(double dt) {
         const TaitEquationOfState& eos = water ? model_.water.eos : model_.air.eos;
         DensityBounds bounds;
         bounds.lowest = (water && !model_.tension ? 1 : lowest_density_ratio) * eos.reference_density;
-        if (dt > 0 && water && model_.full_cover > 0) bounds.cover = fluid_.cover.data();
+        if (dt > 0 && water && model_.full_cover > 0 && water_share_ > 0) bounds.cover = fluid_.cover.data();
         bounds.full_cover = model_.full_cover;
         const double weight = model_.gravity.norm() * particle_spacing_;
         bounds.open = eos.reference_density * (1 + weight / (eos.sound_speed * eos.sound_speed));
@@ -256,7 +265,7 @@ void Simulation::mark_impacts() {
 
 /// The first half kick and half drift of all fluid and the bodies. Returns how far the fastest particle has
 /// moved; it moves as far in the second half.
-double Simulation::kick_and_drift(double half) {
+double Simulation::kick_and_drift(double half, double water_half) {
     const StageTimer timer(stages_.integration);
     double fastest2 = 0;
     const auto size = static_cast<std::int64_t>(fluid_.size());
@@ -273,7 +282,7 @@ double Simulation::kick_and_drift(double half) {
     double fastest = std::sqrt(fastest2);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         RigidBody& body = bodies_[b];
-        body.kick(half);
+        body.kick(half, water_half);
         body.drift(half);
         fastest = std::max(fastest, body.fastest_within(body_radii_[b]));
     }
@@ -298,7 +307,7 @@ void Simulation::refresh_list(double farthest) {
 /// The last half kick; finds the largest speeds and whether anything has left its range (rates too: the floor
 /// below the densities would hide what is no number; after a new list they stand in the old order, and
 /// another particle may be named).
-std::optional<Instability> Simulation::last_kick(double dt) {
+std::optional<Instability> Simulation::last_kick(double dt, double water_dt) {
     const StageTimer timer(stages_.integration);
     const auto size = static_cast<std::int64_t>(fluid_.size());
     double fastest_water = 0, fastest_air = 0, densest_water = 1, densest_air = 1;
@@ -308,7 +317,7 @@ std::optional<Instability> Simulation::last_kick(double dt) {
     const double densities[] = {model_.water.eos.reference_density, model_.air.eos.reference_density};
     const double speeds[] = {highest_mach_number * model_.water.eos.sound_speed,
                              highest_mach_number * model_.air.eos.sound_speed};
-    for (RigidBody& body : bodies_) body.kick(0.5 * dt);
+    for (RigidBody& body : bodies_) body.kick(0.5 * dt, 0.5 * water_dt);
 #pragma omp parallel for schedule(static) num_threads(threads_)                       \
     reduction(max                                                                     \
               : fastest_water, fastest_air, densest_water, densest_air) reduction(min \
@@ -333,7 +342,7 @@ std::optional<Instability> Simulation::last_kick(double dt) {
     }
     fastest_ = {std::sqrt(fastest_water), std::sqrt(fastest_air)};
     densest_ = {densest_water, densest_air};
-    if (first_bad == size) return body_trouble(dt);
+    if (first_bad == size) return body_trouble();
     const auto i = static_cast<std::size_t>(first_bad);
     const FluidState& bad = fluid_.state[i];
     const bool escaped = (bad.position() - low).minCoeff() <= 0 || (high - bad.position()).minCoeff() <= 0;
@@ -341,7 +350,7 @@ std::optional<Instability> Simulation::last_kick(double dt) {
     std::snprintf(text, sizeof text, "%s density %.4g kg/m3 and speed %.4g m/s %s",
                   i < fluid_.water ? "water" : "air", bad.density, bad.velocity().norm(),
                   escaped ? "escaped from the tank" : "left the range of a fluid");
-    return Instability{time_ + dt, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
+    return Instability{time_, steps_ + 1, fluid_.id[i], fluid_.state[i].position(), text};
 }
 
 double Simulation::bytes_per_particle() const {
@@ -355,22 +364,35 @@ double Simulation::bytes_per_particle() const {
 std::optional<Instability> Simulation::step(double longest) {
     const TimeStep stable = stable_step();
     time_step_ = stable;
-    const double dt = std::min(longest, stable.size);
+    const double begin = time_, whole = std::min(longest, stable.size);
     if (model_.dissipation_switch) mark_impacts();
-    const double moved = kick_and_drift(0.5 * dt);
+    std::optional<Instability> trouble;
+    for (int k = 0; k < air_substeps_ && !trouble; ++k) trouble = substep(whole / air_substeps_, k);
+    if (!trouble) time_ = begin + whole;  // not a sum, which might end just before the end
+    ++steps_;
+    ++limits_[static_cast<std::size_t>(stable.criterion)];
+    return trouble;
+}
+
+/// A step of the air, this number of those in one of the water. What acts on water alone pushes it in the
+/// first and the last of them and compresses it in the middle one, each time for all of them.
+std::optional<Instability> Simulation::substep(double dt, int number) {
+    const int all = air_substeps_;
+    const bool first = number == 0, middle = number == all / 2, last = number == all - 1;
+    const double moved = kick_and_drift(0.5 * dt, first ? 0.5 * dt * all : 0);
     refresh_list(moved);
+    water_share_ = middle ? all : 0;
     if (model_.wall_velocity == WallVelocity::mirrored) wall_pass();
     density_pass();
     advance_and_drift(dt);
     refresh_list(moved);
+    water_share_ = last ? all : 0;
     wall_pass();
     momentum_pass();
     load_bodies();
-    std::optional<Instability> trouble = last_kick(dt);
     time_ += dt;
-    ++steps_;
-    ++limits_[static_cast<std::size_t>(stable.criterion)];
-    return trouble;
+    particle_steps_ += last ? fluid_.size() : water_near_air_ + fluid_.size() - fluid_.water;
+    return last_kick(dt, last ? dt * all : 0);
 }
 
 std::optional<Instability> Simulation::run(double end, const Observer& observe, const Watch& watch) {

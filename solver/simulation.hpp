@@ -73,7 +73,9 @@ class Simulation {
     double particle_spacing() const { return particle_spacing_; }     ///< [m]
     WendlandC2 kernel() const { return kernel_; }                     ///< with its smoothing length
     double time() const { return time_; }                             ///< since the start [s]
-    std::uint64_t steps() const { return steps_; }                    ///< done so far
+    std::uint64_t steps() const { return steps_; }                    ///< done so far, of the water
+    int air_substeps() const { return air_substeps_; }                ///< steps of the air in each
+    std::uint64_t particle_steps() const { return particle_steps_; }  ///< rates summed so far, of both phases
     TimeStep time_step() const { return time_step_; }                 ///< the stable one of the last step
     const StageTimes& stage_times() const { return stages_; }         ///< so far
 
@@ -114,14 +116,15 @@ class Simulation {
 
   private:
     PassInput pass_input();
+    std::optional<Instability> substep(double dt, int number);
     double momentum_error(PassInput in, const FluidParticles& fluid, const WallParticles& walls) const;
     TimeStep stable_step() const;
     void build_list();
-    double kick_and_drift(double half);
+    double kick_and_drift(double half, double water_half);
     void advance_and_drift(double dt);
     void refresh_list(double farthest);
-    std::optional<Instability> last_kick(double dt);
-    std::optional<Instability> body_trouble(double dt) const;
+    std::optional<Instability> last_kick(double dt, double water_dt);
+    std::optional<Instability> body_trouble() const;
     void mark_impacts();
     void soak(std::initializer_list<std::vector<double>*> rates);
     void density_pass();
@@ -130,29 +133,30 @@ class Simulation {
     void advance_fluid(double dt);
     void attach_fluid();
     void load_bodies();
+    void sum_body_loads(std::array<bool, phase_count> phases);
     void place_bodies();
 
     Model model_;
     FluidParticles fluid_;
     WallParticles walls_;
     std::vector<RigidBody> bodies_;
-    std::vector<double> body_radii_;  ///< of the farthest boundary particle about the mass centre [m]
-    struct Load {
-        Vec2 force = Vec2::Zero();
-        double torque = 0;
-    };
-    std::vector<Load> body_loads_;            ///< scratch of load_bodies
+    std::vector<double> body_radii_;          ///< of the farthest boundary particle about the mass centre [m]
+    std::vector<BodyLoad> body_loads_;        ///< scratch of load_bodies
     std::vector<Eigen::Matrix2d> body_axes_;  ///< scratch of place_bodies
     std::vector<RigidBody> built_bodies_;     ///< as they were when the list was built
     double particle_spacing_;
     Box domain_;
     WendlandC2 kernel_;
+    int air_substeps_;  ///< in one step
     int threads_;
     PairLoops loops_;
     mutable NeighbourList list_;  ///< periodic images are scratch of who reads the state
     PassInput coefficients_;      ///< what stays the same over the run
     double time_ = 0;
     std::uint64_t steps_ = 0;
+    std::uint64_t particle_steps_ = 0;
+    std::uint64_t water_near_air_ = 0;    ///< particles of water that the steps of the air look at
+    double water_share_ = air_substeps_;  ///< PassInput::water_share of the present pass
     std::uint64_t list_builds_ = 0;
     std::array<double, phase_count> fastest_{};      ///< largest speed [m/s]
     std::array<double, phase_count> densest_{1, 1};  ///< largest density over the reference, at least 1

@@ -27,11 +27,24 @@ void Simulation::attach_fluid() {
     }
 }
 
-/// Forces of the fluid on the bodies, Eqs. (20)-(21), and the accelerations that follow.
+/// Forces of the fluid on the bodies, Eqs. (20)-(21), and the accelerations that follow. Those of the water
+/// are kept between its steps.
 void Simulation::load_bodies() {
     if (bodies_.empty()) return;
     const StageTimer timer(stages_.bodies);
-    loops_.body_forces(pass_input());
+    if (water_share_ > 0) {
+        sum_body_loads({true, false});
+        for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].load_slow(body_loads_[b], model_.gravity);
+    }
+    sum_body_loads({false, true});
+    for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].load_fast(body_loads_[b], model_.gravity);
+}
+
+/// Forces of these phases on each body, to body_loads_.
+void Simulation::sum_body_loads(std::array<bool, phase_count> phases) {
+    PassInput in = pass_input();
+    in.loading = phases;
+    loops_.body_forces(in);
     body_loads_.assign(bodies_.size(), {});
     for (std::size_t n = walls_.fixed; n < walls_.size(); ++n) {
         const std::uint32_t body = walls_.body_point[n - walls_.fixed].body;
@@ -40,8 +53,6 @@ void Simulation::load_bodies() {
         body_loads_[body].force += force;
         body_loads_[body].torque += arm.x() * force.y() - arm.y() * force.x();
     }
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        bodies_[b].load(body_loads_[b].force, body_loads_[b].torque, model_.gravity);
 }
 
 /// Puts the boundary particles where the poses say, Eqs. (22)-(23).
@@ -61,7 +72,7 @@ void Simulation::place_bodies() {
 }
 
 /// A body that is nowhere is not noticed by the fluid: nothing is near it.
-std::optional<Instability> Simulation::body_trouble(double dt) const {
+std::optional<Instability> Simulation::body_trouble() const {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const RigidBody& body = bodies_[b];
         const double fastest = body.fastest_within(body_radii_[b]);
@@ -71,7 +82,7 @@ std::optional<Instability> Simulation::body_trouble(double dt) const {
         char text[160];
         std::snprintf(text, sizeof text, "body %zu with speed %.4g m/s %s", b + 1, fastest,
                       in_tank ? "left the range of a body" : "left the tank");
-        return Instability{time_ + dt, steps_ + 1, std::nullopt, body.position, text};
+        return Instability{time_, steps_ + 1, std::nullopt, body.position, text};
     }
     return std::nullopt;
 }

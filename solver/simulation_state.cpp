@@ -32,6 +32,7 @@ void unflatten(const std::vector<double>& values, std::vector<Record>& records) 
 /// What changes of a body: pose, velocity, loads, impulses.
 struct BodyNumbers {
     double x, y, angle, vx, vy, omega, fx, fy, torque, ax, ay, alpha, jx, jy, spin, work;
+    double slow_fx, slow_fy, slow_torque, push_x, push_y, push_torque;
 };
 
 BodyNumbers numbers_of(const RigidBody& b) {
@@ -50,7 +51,13 @@ BodyNumbers numbers_of(const RigidBody& b) {
             b.impulse.x(),
             b.impulse.y(),
             b.angular_impulse,
-            b.work};
+            b.work,
+            b.slow.force.x(),
+            b.slow.force.y(),
+            b.slow.torque,
+            b.slow_push.force.x(),
+            b.slow_push.force.y(),
+            b.slow_push.torque};
 }
 
 void set_numbers(RigidBody& b, const BodyNumbers& n) {
@@ -65,6 +72,8 @@ void set_numbers(RigidBody& b, const BodyNumbers& n) {
     b.impulse = {n.jx, n.jy};
     b.angular_impulse = n.spin;
     b.work = n.work;
+    b.slow = {{n.slow_fx, n.slow_fy}, n.slow_torque};
+    b.slow_push = {{n.push_x, n.push_y}, n.push_torque};
 }
 
 std::vector<double> numbers_of(const std::vector<RigidBody>& bodies) {
@@ -163,6 +172,7 @@ Simulation::State Simulation::state() const {
     state.arrays["densest"] = {densest_.begin(), densest_.end()};
     state.numbers["time"] = time_;
     state.numbers["steps"] = static_cast<double>(steps_);
+    state.numbers["particle_steps"] = static_cast<double>(particle_steps_);
     state.numbers["list_builds"] = static_cast<double>(list_builds_);
     state.numbers["list_slack"] = list_.slack();
     state.numbers["time_step"] = time_step_.size;
@@ -230,6 +240,7 @@ void Simulation::restore(const State& state) {
     std::copy(densest.begin(), densest.end(), densest_.begin());
     time_ = in.number("time");
     steps_ = in.count("steps");
+    particle_steps_ = in.count("particle_steps");
     list_builds_ = in.count("list_builds");
     time_step_ = {in.number("time_step"),
                   static_cast<LimitingCriterion>(in.count("criterion", static_cast<double>(limits_.size())))};

@@ -4,6 +4,9 @@
 //
 //     M dv/dt = F + M g + F_applied,   I domega/dt = T + T_applied
 //
+// Loads come in two parts: the slow one acts at the first and the last of the short steps that make a long
+// one, for all of them, the fast one in each.
+//
 // The wall pressure (17) holds the body's last acceleration: F = F0 - m a_last, with m the fluid that follows
 // the surface at once. Where m is larger than M this would swing up. With the same mass m on both sides,
 //
@@ -25,6 +28,12 @@
 
 namespace wetdeck {
 
+/// What acts on a body.
+struct BodyLoad {
+    Vec2 force = Vec2::Zero();  ///< [N/m]
+    double torque = 0;          ///< about the mass centre [N]
+};
+
 /// One body: what it is, how it moves, what the fluid does to it.
 struct RigidBody {
     double mass = 0;                                ///< [kg/m]
@@ -40,6 +49,8 @@ struct RigidBody {
 
     Vec2 force = Vec2::Zero();         ///< by the fluid, of the last evaluation [N/m]
     double torque = 0;                 ///< by the fluid, about the mass centre [N]
+    BodyLoad slow;                     ///< the part of both that acts in long steps
+    BodyLoad slow_push;                ///< the same with m a_last, m g less
     Vec2 acceleration = Vec2::Zero();  ///< of the mass centre [m/s^2]
     double angular_acceleration = 0;   ///< [rad/s^2]
 
@@ -58,30 +69,48 @@ struct RigidBody {
             throw InputError("a body that is free to turn needs a positive inertia");
     }
 
-    /// Sets the loads by the fluid and the accelerations that follow from them.
-    void load(Vec2 fluid_force, double fluid_torque, Vec2 gravity) {
-        force = fluid_force;
-        torque = fluid_torque;
-        const double extra_mass = std::max(0.0, attached_mass - mass);
-        const double extra_inertia = std::max(0.0, attached_inertia - inertia);
-        for (int k = 0; k < 2; ++k) {
-            const bool moves = free[static_cast<std::size_t>(k)];
-            const double sum = force[k] + applied_force[k] + extra_mass * (acceleration[k] - gravity[k]);
-            acceleration[k] = moves ? sum / (mass + extra_mass) + gravity[k] : 0;
-        }
-        const double sum = torque + applied_torque + extra_inertia * angular_acceleration;
-        angular_acceleration = free[2] ? sum / (inertia + extra_inertia) : 0;
+    /// What stands as m in the equation of motion [kg/m].
+    double following_mass() const { return std::max(0.0, attached_mass - mass); }
+    /// The same of rotation [kg m].
+    double following_inertia() const { return std::max(0.0, attached_inertia - inertia); }
+
+    /// Sets the slow loads by the fluid. The fast ones must be set after them.
+    void load_slow(const BodyLoad& load, Vec2 gravity) {
+        slow = load;
+        slow_push.force = load.force + following_mass() * (acceleration - gravity);
+        slow_push.torque = load.torque + following_inertia() * angular_acceleration;
     }
 
-    /// Velocities and impulses over a time [s] with the loads as they are.
-    void kick(double duration) {
-        const Vec2 mean_velocity = velocity + 0.5 * duration * acceleration;
-        const double mean_rotation = angular_velocity + 0.5 * duration * angular_acceleration;
-        work += duration * (force.dot(mean_velocity) + torque * mean_rotation);
-        velocity += duration * acceleration;
-        angular_velocity += duration * angular_acceleration;
-        impulse += duration * force;
-        angular_impulse += duration * torque;
+    /// Sets the fast loads by the fluid, and the accelerations that follow from all.
+    void load_fast(const BodyLoad& load, Vec2 gravity) {
+        force = load.force + slow.force;
+        torque = load.torque + slow.torque;
+        const Vec2 sum = load.force + slow_push.force + applied_force;
+        for (int k = 0; k < 2; ++k) {
+            const bool moves = free[static_cast<std::size_t>(k)];
+            acceleration[k] = moves ? sum[k] / (mass + following_mass()) + gravity[k] : 0;
+        }
+        const double twist = load.torque + slow_push.torque + applied_torque;
+        angular_acceleration = free[2] ? twist / (inertia + following_inertia()) : 0;
+    }
+
+    /// Velocities and impulses over a time [s] with the loads as they are; the slow ones act over their own.
+    void kick(double duration, double slow_duration) {
+        const double longer = slow_duration - duration;
+        const Vec2 push = duration * force + longer * slow.force;
+        const double twist = duration * torque + longer * slow.torque;
+        Vec2 gain = duration * acceleration;
+        for (int k = 0; k < 2; ++k) {
+            const bool moves = free[static_cast<std::size_t>(k)];
+            if (moves) gain[k] += longer * slow_push.force[k] / (mass + following_mass());
+        }
+        double spin = duration * angular_acceleration;
+        if (free[2]) spin += longer * slow_push.torque / (inertia + following_inertia());
+        work += push.dot(velocity + 0.5 * gain) + twist * (angular_velocity + 0.5 * spin);
+        velocity += gain;
+        angular_velocity += spin;
+        impulse += push;
+        angular_impulse += twist;
     }
 
     /// Position and angle over a time [s] with the velocities as they are.

@@ -49,6 +49,7 @@ struct Model {
 
     double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
+    int air_substeps = 1;          ///< steps of the air in one of the water, odd; 0: as their sounds go
     double skin = 0.2;             ///< of the neighbour list, in smoothing lengths
     int threads = 0;               ///< 0: all that OpenMP offers
 };

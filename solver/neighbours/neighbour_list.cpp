@@ -282,6 +282,7 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
         }
     }
     shares_ = equal_shares(clusters_, threads);
+    air_shares_ = equal_shares(clusters_, threads, true);
     std::erase_if(wall_clusters_,
                   [](const Cluster& c) { return c.fluid_neighbours[0] + c.fluid_neighbours[1] == 0; });
 }

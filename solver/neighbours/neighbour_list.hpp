@@ -58,6 +58,8 @@ class NeighbourList {
     const std::vector<Cluster>& clusters() const { return clusters_; }
     /// Of the clusters, one a thread.
     const std::vector<std::size_t>& shares() const { return shares_; }
+    /// The same of the pairs with air.
+    const std::vector<std::size_t>& air_shares() const { return air_shares_; }
     /// Clusters of boundary particles that have fluid near, with that fluid as neighbours; none holds
     /// particles of both tank and bodies.
     const std::vector<Cluster>& wall_clusters() const { return wall_clusters_; }
@@ -96,7 +98,7 @@ class NeighbourList {
     std::vector<std::uint32_t> image_start_;  ///< the same of the periodic images
     std::vector<std::uint32_t> fixed_start_, body_start_;  ///< first boundary particle of a cell
     std::vector<Cluster> clusters_, wall_clusters_;
-    std::vector<std::size_t> shares_;
+    std::vector<std::size_t> shares_, air_shares_;
     std::vector<std::vector<std::uint32_t>> block_lists_;  ///< neighbour indices of a block of clusters
     std::vector<double> built_;                            ///< x, y of each fluid particle at the last build
     std::vector<Vec2> built_body_;                         ///< places of the bodies' particles then

@@ -61,7 +61,9 @@ struct WallCoefficients {
 
 /// First clusters of as many consecutive shares of about the same number of neighbours as there are threads,
 /// and an end mark. What is near walls, or in the middle of the fluid, costs more than what is at a surface.
-std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads);
+/// Water without air near counts for nothing where only steps of the air are shared out.
+std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads,
+                                      bool only_air = false);
 
 /// What a pass reads and writes. Pointers stay valid for the pass only.
 struct PassInput {
@@ -82,6 +84,10 @@ struct PassInput {
     std::array<WallCoefficients, phase_count> wall_pair;
     double velocity_guard = 0;  ///< of the harmonic velocity mean [m/s]
     double pressure_guard = 0;  ///< of the harmonic pressure mean [Pa]
+    /// Factor on what water gets from water, walls and gravity, 0 to leave that out: the air may take steps
+    /// of its own.
+    double water_share = 1;
+    std::array<bool, phase_count> loading = {true, true};  ///< phases whose forces on bodies count
     double* density_rate = nullptr;
     double* cover = nullptr;  ///< of water, SUM_j V_j W_ij; written by density_rates unless null
     double* acceleration_x = nullptr;

@@ -22,6 +22,18 @@ void for_clusters(const PassInput& in, Work work) {
     }
 }
 
+/// What counts of pairs of a fluid particle with others: those that only water takes part in have a weight
+/// of their own.
+double share_of(const PassInput& in, Phase left, bool with_air) {
+    return left == Phase::water && !with_air ? in.water_share : 1;
+}
+
+/// Whether a pass has nothing to add up for this cluster: water that no air is near, between steps of the
+/// water.
+bool rests(const PassInput& in, const Cluster& cluster) {
+    return cluster.phase == Phase::water && in.water_share == 0 && cluster.fluid_neighbours[1] == 0;
+}
+
 // --- continuity: d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*), Eq. (12)
 
 struct DensitySums {
@@ -30,7 +42,7 @@ struct DensitySums {
 
 template <bool harmonic, bool hydrostatic, bool covered>
 WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                std::uint32_t count, const PairCoefficients& c, Pack mobility,
+                                std::uint32_t count, const PairCoefficients& c, Pack mobility, double share,
                                 DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
@@ -54,7 +66,7 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
         sum += j.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * deficit;
         if constexpr (covered) cover += j.volume * WendlandC2::bell(s.distance, inverse_h);
     }
-    sums.rate += sum;
+    sums.rate += share * sum;
     if constexpr (covered) sums.cover += cover;
 }
 
@@ -63,7 +75,7 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
 /// along its face with the water around it.
 template <bool mirrored, bool covered>
 void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                      std::uint32_t count, DensitySums& sums) {
+                      std::uint32_t count, double share, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     Pack sum = 0.0, stretching = 0.0, cover = 0.0;
     // Height of the particle above the layer of the nearest boundary particle, which tells its own face: the
@@ -95,7 +107,7 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
     }
     const Pack distance = nearest * (1 / in.particle_spacing) - 0.5;  // from the face, in spacings
     if constexpr (mirrored) sum = sum - 0.5 * stretching_share(distance) * stretching;
-    sums.rate += in.wall_volume * sum;
+    sums.rate += share * in.wall_volume * sum;
     if constexpr (covered) {
         const double inverse_norm = 1 / in.kernel.normalisation();
         const Pack touching = inverse_norm * (touching_cover + positive_part(-distance));
@@ -105,6 +117,7 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
 
 template <bool harmonic, bool hydrostatic, bool mirrored, bool covered>
 WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cluster) {
+    if (rests(in, cluster)) return store(0.0, in.density_rate, cluster);
     const Lanes i = load(in.fluid, cluster);
     const auto& coefficients = in.pair[static_cast<std::size_t>(cluster.phase)];
     const std::uint32_t* neighbours = cluster.neighbours;
@@ -113,11 +126,15 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
     for (std::size_t phase = 0; phase < phase_count; ++phase) {
         const std::uint32_t count = cluster.fluid_neighbours[phase];
         const PairCoefficients& c = coefficients[phase];
-        density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, c, c.mobility * thinner, sums);
+        const double share = share_of(in, cluster.phase, phase == 1);
+        if (share > 0)
+            density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, c, c.mobility * thinner,
+                                                        share, sums);
         neighbours += count;
     }
-    if (cluster.wall_neighbours > 0)
-        wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, sums);
+    const double own = share_of(in, cluster.phase, false);
+    if (cluster.wall_neighbours > 0 && own > 0)
+        wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, own, sums);
     store(2 * in.kernel.slope_factor() * i.density * sums.rate, in.density_rate, cluster);
     if constexpr (covered) store(in.kernel.normalisation() * sums.cover, in.cover, cluster);
 }
@@ -139,7 +156,8 @@ void density_rates(const PassInput& in) {
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched>
 WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                 std::uint32_t count, const PairCoefficients& c, VectorSum& sum) {
+                                 std::uint32_t count, const PairCoefficients& c, double share,
+                                 VectorSum& sum) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     VectorSum fluid;
     for (std::uint32_t n = 0; n < count; ++n) {
@@ -166,13 +184,13 @@ WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std:
         fluid.x += weight * s.x;
         fluid.y += weight * s.y;
     }
-    sum.x += fluid.x;
-    sum.y += fluid.y;
+    sum.x += share * fluid.x;
+    sum.y += share * fluid.y;
 }
 
 template <bool no_slip, bool shepard>
 void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                       std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
+                       std::uint32_t count, const WallCoefficients& c, double share, VectorSum& sum) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     VectorSum wall;
     for (std::uint32_t n = 0; n < count; ++n) {
@@ -186,32 +204,39 @@ void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t*
         wall.x += weight * s.x;
         wall.y += weight * s.y;
     }
-    sum.x += in.wall_volume * wall.x;
-    sum.y += in.wall_volume * wall.y;
+    sum.x += share * in.wall_volume * wall.x;
+    sum.y += share * in.wall_volume * wall.y;
 }
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched, bool no_slip>
 void accelerations(const PassInput& in) {
     for_clusters(in, [&in](const Cluster& cluster) {
+        if (rests(in, cluster)) {
+            store(0.0, in.acceleration_x, cluster);
+            return store(0.0, in.acceleration_y, cluster);
+        }
         const auto phase_i = static_cast<std::size_t>(cluster.phase);
         const Lanes i = load(in.fluid, cluster);
         const std::uint32_t* neighbours = cluster.neighbours;
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             const std::uint32_t count = cluster.fluid_neighbours[phase];
-            momentum_sum<harmonic, dissipative, viscous, switched>(in, i, neighbours, count,
-                                                                   in.pair[phase_i][phase], sum);
+            const double share = share_of(in, cluster.phase, phase == 1);
+            if (share > 0)
+                momentum_sum<harmonic, dissipative, viscous, switched>(in, i, neighbours, count,
+                                                                       in.pair[phase_i][phase], share, sum);
             neighbours += count;
         }
-        if (cluster.wall_neighbours > 0) {
+        const double own = share_of(in, cluster.phase, false);
+        if (cluster.wall_neighbours > 0 && own > 0) {
             const bool shepard = in.wall_pressure_mean[phase_i];
             const auto wall_sum =
                 shepard ? wall_momentum_sum<no_slip, true> : wall_momentum_sum<no_slip, false>;
-            wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], sum);
+            wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], own, sum);
         }
         const Pack factor = 2 * in.kernel.slope_factor() / i.density;
-        store(factor * sum.x + in.gravity.x(), in.acceleration_x, cluster);
-        store(factor * sum.y + in.gravity.y(), in.acceleration_y, cluster);
+        store(factor * sum.x + own * in.gravity.x(), in.acceleration_x, cluster);
+        store(factor * sum.y + own * in.gravity.y(), in.acceleration_y, cluster);
     });
 }
 

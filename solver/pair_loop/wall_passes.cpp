@@ -76,7 +76,7 @@ void body_forces(const PassInput& in) {
             const std::uint32_t count = cluster.fluid_neighbours[phase];
             const auto reaction =
                 in.wall_pressure_mean[phase] ? reaction_sum<no_slip, true> : reaction_sum<no_slip, false>;
-            reaction(in, w, mean, neighbours, count, in.wall_pair[phase], sum);
+            if (in.loading[phase]) reaction(in, w, mean, neighbours, count, in.wall_pair[phase], sum);
             neighbours += count;
         }
         store(factor * sum.x, in.wall_force_x, cluster);

@@ -1,10 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/time/time_step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "solver/core/errors.hpp"
+
 namespace wetdeck {
+
+int air_substeps(const Model& model) {
+    if (model.air_substeps != 0) {
+        if (model.air_substeps < 1 || model.air_substeps % 2 == 0)
+            throw InputError("air_substeps must be odd: the middle one sets the density of the water");
+        if (model.air_substeps > 1 && model.dissipation_switch)
+            throw InputError("the dissipation switch needs air_substeps = 1");
+        return model.air_substeps;
+    }
+    if (model.dissipation_switch) return 1;
+    constexpr double room = 1.3, most = 15;
+    const double ratio = model.air.eos.sound_speed / (room * model.water.eos.sound_speed);
+    return 2 * static_cast<int>((std::clamp(ratio, 1.0, most) - 1) / 2) + 1;
+}
 
 TimeStep stable_time_step(const Model& model, double smoothing_length,
                           const std::array<double, phase_count>& fastest, bool has_water, bool has_air) {
@@ -13,15 +30,17 @@ TimeStep stable_time_step(const Model& model, double smoothing_length,
     const auto limit = [&step](double size, LimitingCriterion criterion) {
         if (size < step.size) step = {size, criterion};
     };
-    const auto limit_by = [&](const Material& material, double speed, LimitingCriterion acoustic) {
-        limit(model.courant_number * h / (material.eos.sound_speed + speed), acoustic);
+    const auto limit_by = [&](const Material& material, double speed, int substeps,
+                              LimitingCriterion acoustic) {
+        limit(substeps * model.courant_number * h / (material.eos.sound_speed + speed), acoustic);
         if (model.viscosity != Viscosity::none && material.viscosity > 0) {
-            limit(0.125 * material.eos.reference_density * h * h / material.viscosity,
+            limit(substeps * 0.125 * material.eos.reference_density * h * h / material.viscosity,
                   LimitingCriterion::viscous);
         }
     };
-    if (has_water) limit_by(model.water, fastest[0], LimitingCriterion::acoustic_water);
-    if (has_air) limit_by(model.air, fastest[1], LimitingCriterion::acoustic_air);
+    if (has_water) limit_by(model.water, fastest[0], 1, LimitingCriterion::acoustic_water);
+    const int substeps = has_water && has_air ? air_substeps(model) : 1;
+    if (has_air) limit_by(model.air, fastest[1], substeps, LimitingCriterion::acoustic_air);
     const double g = model.gravity.norm();
     if (g > 0) limit(0.25 * std::sqrt(h / g), LimitingCriterion::force);
     return step;

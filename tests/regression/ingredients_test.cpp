@@ -29,6 +29,24 @@ TEST_CASE("Without air there are no air clusters, no air neighbours and fewer pa
     for (const Cluster& c : water.neighbours().clusters()) CHECK(c.phase == Phase::water);
 }
 
+TEST_CASE("Water that no air is near is looked at once in a step, however many the air takes",
+          "[ingredients]") {
+    Model model = two_phase_model();
+    const auto particle_steps = [&](int substeps) {
+        model.air_substeps = substeps;
+        Simulation simulation = samples::dam_break(model, {0.3, 0.45}, {0.9, 0.6}, 0.03).simulate();
+        REQUIRE_FALSE(simulation.step(1));
+        return simulation.particle_steps();
+    };
+    const samples::Setup setup = samples::dam_break(model, {0.3, 0.45}, {0.9, 0.6}, 0.03);
+    const std::size_t water = setup.fluid.water, air = setup.fluid.size() - water;
+    CHECK(particle_steps(1) == water + air);
+    const std::uint64_t three = particle_steps(3);
+    CHECK(three > water + 3 * air);  // its surface is looked at more often
+    CHECK(three < 2 * water + 3 * air);
+    CHECK(particle_steps(5) - three == three - particle_steps(1));
+}
+
 TEST_CASE("Each ingredient that is switched has a momentum loop of its own", "[ingredients]") {
     const std::string name = GENERATE(from_range(samples::instruction_sets()));
     const auto momentum_loop = [&](auto change) {

@@ -68,6 +68,7 @@ Model two_phase_model() {
     model.sponge_thickness = 0;
     model.tension = true;
     model.smoothing_ratio = 1.25;
+    model.air_substeps = 1;
     model.courant_number = 0.5;
     model.skin = 0.2;
     model.threads = 1;

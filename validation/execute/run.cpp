@@ -62,8 +62,7 @@ void record_parameters(RunRecord& record, const Scene& scene, const Simulation& 
 void record_cost(RunRecord& record, const Simulation& simulation) {
     RunCost& cost = record.cost;
     cost.steps = simulation.steps();
-    cost.particle_steps =
-        static_cast<double>(simulation.steps()) * static_cast<double>(simulation.fluid().size());
+    cost.particle_steps = static_cast<double>(simulation.particle_steps());
     cost.peak_rss_mb = peak_rss_mb();
     const StageTimes& s = simulation.stage_times();
     cost.stage_seconds = {{"neighbours", s.neighbours},  {"density", s.density},

@@ -118,6 +118,13 @@ void read_model(const TomlTable& root, Scene& scene) {
     if (!(m.courant_number > 0 && m.courant_number <= 2)) {
         model.fail("courant_number", fmt::format("is {}, expected above 0 and at most 2", m.courant_number));
     }
+    const double substeps = model.number_or("air_substeps", 0);
+    m.air_substeps = static_cast<int>(substeps);
+    const bool odd = m.air_substeps % 2 == 1 && m.air_substeps == substeps && substeps <= 99;
+    if (substeps != 0 && !odd)
+        model.fail("air_substeps", fmt::format("is {}, expected an odd number up to 99, or 0", substeps));
+    if (substeps > 1 && m.dissipation_switch)
+        model.fail("air_substeps", fmt::format("is {}, expected 1 with the dissipation switch", substeps));
     m.skin = model.number_or("skin", scene.air ? m.skin : 2 * m.skin);
     if (!(m.skin >= 0.05 && m.skin <= 1))
         model.fail("skin", fmt::format("is {}, expected 0.05 to 1", m.skin));

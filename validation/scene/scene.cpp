@@ -251,14 +251,16 @@ CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
         return sum;
     };
     CostEstimate cost;
-    const double fluid_area = area(scene.water_boxes) + (scene.air ? area(scene.air_boxes) : 0);
-    cost.fluid_particles = fluid_area / (particle_spacing * particle_spacing);
+    const double volume = particle_spacing * particle_spacing;
+    const double water = area(scene.water_boxes) / volume,
+                 air = scene.air ? area(scene.air_boxes) / volume : 0;
+    cost.fluid_particles = water + air;
     // speeds scale with the water's sound speed, which is set to ten times the fastest water
     const double fastest = 0.15 * scene.model.water.eos.sound_speed;
     const TimeStep step = stable_time_step(scene.model, scene.model.smoothing_ratio * particle_spacing,
                                            {fastest, 4 * fastest}, true, scene.air);
     cost.steps = scene.end_time / step.size;
-    cost.particle_steps = cost.fluid_particles * cost.steps;
+    cost.particle_steps = cost.steps * (water + air * air_substeps(scene.model));
     cost.core_seconds =
         cost.particle_steps / (scene.air ? steps_per_second_with_air : steps_per_second_alone) +
         cost.fluid_particles * static_cast<double>(scene.frame_times.size()) * seconds_in_frame;

@@ -19,6 +19,7 @@ Model two_phase_model(double water_sound_speed, double air_sound_speed, double b
     Model model = water_model(water_sound_speed, gravity);
     model.water.eos.background_pressure = background_pressure;
     model.air.eos = {air_density, air_sound_speed, 1.4, background_pressure};
+    model.air_substeps = 0;  // as in scenes
     return model;
 }
 

@@ -57,6 +57,7 @@ TEST_CASE("what a scene leaves out of [model] is the solver's default") {
     REQUIRE(scene.model.smoothing_ratio == usual.smoothing_ratio);
     REQUIRE(scene.model.courant_number == usual.courant_number);
     REQUIRE(scene.model.tension == usual.tension);
+    REQUIRE(scene.model.air_substeps == 0);  // as the sound speeds go
     REQUIRE(scene.model.skin == usual.skin);
     REQUIRE(read({}, "single-phase").model.skin ==
             2 * usual.skin);  // few particles move fast where no air is

@@ -71,7 +71,10 @@ TEST_CASE("half the spacing costs four times the particles, twice the steps, and
     REQUIRE(fine.particle_steps / coarse.particle_steps == Approx(8).epsilon(0.05));
     REQUIRE(fine.core_seconds / coarse.core_seconds > 4);
     REQUIRE(fine.core_seconds / coarse.core_seconds < 8);
-    REQUIRE(fine.particle_steps == Approx(fine.fluid_particles * fine.steps));
+    const CostEstimate plain = estimate_cost(small({"model.air_substeps=1"}), 0.02);
+    REQUIRE(plain.particle_steps == Approx(plain.fluid_particles * plain.steps));
+    const CostEstimate three = estimate_cost(small({"model.air_substeps=3"}), 0.02);
+    REQUIRE(three.particle_steps == Approx((200 + 3 * 1000) * three.steps));
 }
 
 TEST_CASE("twice the time costs twice the steps") {

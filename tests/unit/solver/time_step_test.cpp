@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "solver/core/errors.hpp"
 #include "tests/support/samples.hpp"
 
 using namespace wetdeck;
@@ -55,6 +56,40 @@ TEST_CASE("The acoustic step is proportional to the Courant number", "[time]") {
     const double half = stable_time_step(model, h, {0, 0}, true, true).size;
     model.courant_number = 0.25;
     CHECK(stable_time_step(model, h, {0, 0}, true, true).size == Approx(0.5 * half));
+}
+
+TEST_CASE("Steps of the air make a step of the water, which has its own limit", "[time]") {
+    Model model = samples::two_phase_model();
+    model.air_substeps = 5;
+    const TimeStep air = stable_time_step(model, h, {2, 10}, true, true);
+    CHECK(air.criterion == LimitingCriterion::acoustic_water);  // 5 / 100 is more than 1 / 32
+    CHECK(air.size == Approx(0.5 * 0.025 / 32));
+    const TimeStep fast_air = stable_time_step(model, h, {2, 100}, true, true);
+    CHECK(fast_air.criterion == LimitingCriterion::acoustic_air);
+    CHECK(fast_air.size == Approx(5 * 0.5 * 0.025 / 190));
+    CHECK(stable_time_step(model, h, {2, 100}, false, true).size == Approx(0.5 * 0.025 / 190));
+}
+
+TEST_CASE("The air takes as many steps in one of the water as the sound speeds allow", "[time]") {
+    Model model = samples::two_phase_model();
+    model.air_substeps = 0;
+    const auto with_air = [&](double sound_speed) {
+        model.air.eos.sound_speed = sound_speed;
+        return air_substeps(model);
+    };
+    CHECK(with_air(20) == 1);
+    CHECK(with_air(3 * 1.3 * 30 - 1) == 1);
+    CHECK(with_air(3 * 1.3 * 30 + 1) == 3);
+    CHECK(with_air(5 * 1.3 * 30 + 1) == 5);
+    CHECK(with_air(1e5) == 15);
+    model.dissipation_switch = true;
+    CHECK(air_substeps(model) == 1);
+    model.air_substeps = 3;
+    CHECK_THROWS_AS(air_substeps(model), InputError);
+    model.dissipation_switch = false;
+    CHECK(air_substeps(model) == 3);
+    model.air_substeps = GENERATE(-1, 2, 4);
+    CHECK_THROWS_AS(air_substeps(model), InputError);
 }
 
 TEST_CASE("Every criterion has its name", "[time]") {
