@@ -68,9 +68,14 @@ std::vector<Cell> run_cells(const RunRecord& record) {
 
 /// @param source_run  if known, how many times more particle-steps it took is shown for each run
 std::string pace_table(const Runs& runs, const std::optional<SourceRun>& source_run) {
-    std::vector<std::string> headers{
-        "variant",        "dx", "steps", "particle-steps", "particle-steps/s", "bytes per particle",
-        "step limited by"};
+    std::vector<std::string> headers{"variant",
+                                     "dx",
+                                     "steps",
+                                     "of the air in each",
+                                     "particle-steps",
+                                     "particle-steps/s",
+                                     "bytes per particle",
+                                     "step limited by"};
     if (source_run) headers.push_back("source / this run");
     Table table(headers);
     const double source_steps = source_run ? source_run->particles * source_run->steps : 0;
@@ -78,6 +83,7 @@ std::string pace_table(const Runs& runs, const std::optional<SourceRun>& source_
         const RunRecord& record = run->record;
         std::vector<Cell> row = run_cells(record);
         row.push_back(whole(static_cast<double>(record.cost.steps)));
+        row.push_back(value(parameter(record, "model.air_substeps")));
         row.push_back(value(record.cost.particle_steps));
         row.push_back(value(particle_rate(record.cost)));
         row.push_back(value(parameter(record, "bytes_per_particle")));
@@ -125,7 +131,10 @@ std::optional<double> particle_rate(const RunCost& cost) {
 std::string cost_table(const Runs& runs, const AnalysisSpec& scene) {
     return pace_table(runs, scene.source_run) + stage_table(runs) +
            paragraph(
-               "Particle-steps: fluid particles times steps. Seconds per stage are wall time of the time "
+               "Particle-steps: particles whose rates were summed, over all steps; where the air takes "
+               "several in "
+               "one of the water, the air counts in each of them, and of the water only what is near air. "
+               "Seconds per stage are wall time of the time "
                "loop; what is not in them is set-up.",
                "soft");
 }

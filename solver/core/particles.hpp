@@ -35,7 +35,8 @@ struct alignas(64) FluidState {
     Vec2 velocity() const { return {vx, vy}; }
 };
 
-/// Fluid particles: indices [0, water) are water, [water, size) air.
+/// Fluid particles: indices [0, water) are water, [water, size) air. Where a step of the water has several of
+/// the air, the rates of water are those times their number.
 struct FluidParticles {
     std::vector<FluidState> state;       ///< what neighbours read
     std::vector<double> mass;            ///< [kg/m]

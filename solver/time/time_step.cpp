@@ -18,7 +18,7 @@ int air_substeps(const Model& model) {
         return model.air_substeps;
     }
     if (model.dissipation_switch) return 1;
-    constexpr double room = 1.3, most = 15;
+    constexpr double room = 1.5, most = 15;
     const double ratio = model.air.eos.sound_speed / (room * model.water.eos.sound_speed);
     return 2 * static_cast<int>((std::clamp(ratio, 1.0, most) - 1) / 2) + 1;
 }

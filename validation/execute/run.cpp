@@ -45,6 +45,7 @@ void record_parameters(RunRecord& record, const Scene& scene, const Simulation& 
         p["air.exponent"] = m.air.eos.exponent;
         p["air.viscosity"] = m.air.viscosity;
     }
+    if (scene.air) p["model.air_substeps"] = simulation.air_substeps();
     p["model.background_pressure"] = m.water.eos.background_pressure;
     p["model.pressure_diffusion"] = m.pressure_diffusion;
     p["model.dissipation_slope"] = m.dissipation_slope;

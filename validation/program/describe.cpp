@@ -134,7 +134,10 @@ json description(const std::string& name) {
                 {"series", series_of(scene)},
                 {"references", references_of(scene)},
                 {"cost", costs_of(scene, path)}};
-    if (scene.air) all["air"] = material_json(scene.model.air);
+    if (scene.air) {
+        all["air"] = material_json(scene.model.air);
+        all["air"]["substeps"] = air_substeps(scene.model);
+    }
     for (const BodySpec& body : scene.bodies)
         all["bodies"].push_back({{"name", body.name},
                                  {"mass", body.body.mass},
@@ -164,8 +167,9 @@ void print_description(const std::string& name, bool as_json) {
                number(all["water"]["density"]), number(all["water"]["sound_speed"]),
                number(all["background_pressure"]));
     if (all.contains("air")) {
-        fmt::print("  air {:.4g} kg/m3, sound speed {:.4g} m/s\n", number(all["air"]["density"]),
-                   number(all["air"]["sound_speed"]));
+        fmt::print("  air {:.4g} kg/m3, sound speed {:.4g} m/s; its steps in one of the water: {}\n",
+                   number(all["air"]["density"]), number(all["air"]["sound_speed"]),
+                   all["air"]["substeps"].get<int>());
     }
     for (const json& body : all["bodies"])
         fmt::print("  {} of {} corners, {:.4g} kg/m, {:.4g} kg m about its mass centre\n", text(body["name"]),

@@ -31,7 +31,7 @@ struct RunCost {
     double wall_s = 0;
     double core_s = 0;  ///< processor time of all threads [s]
     std::uint64_t steps = 0;
-    double particle_steps = 0;  ///< fluid particles times steps
+    double particle_steps = 0;  ///< particles whose rates were summed, over all steps
     double peak_rss_mb = 0;
     std::map<std::string, double> stage_seconds;              ///< wall seconds by stage of the time loop
     std::map<std::string, std::uint64_t> limiting_criterion;  ///< steps whose size each criterion set

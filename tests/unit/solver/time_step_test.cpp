@@ -78,9 +78,9 @@ TEST_CASE("The air takes as many steps in one of the water as the sound speeds a
         return air_substeps(model);
     };
     CHECK(with_air(20) == 1);
-    CHECK(with_air(3 * 1.3 * 30 - 1) == 1);
-    CHECK(with_air(3 * 1.3 * 30 + 1) == 3);
-    CHECK(with_air(5 * 1.3 * 30 + 1) == 5);
+    CHECK(with_air(3 * 1.5 * 30 - 1) == 1);
+    CHECK(with_air(3 * 1.5 * 30 + 1) == 3);
+    CHECK(with_air(5 * 1.5 * 30 + 1) == 5);
     CHECK(with_air(1e5) == 15);
     model.dissipation_switch = true;
     CHECK(air_substeps(model) == 1);
