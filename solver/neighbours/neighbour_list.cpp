@@ -257,7 +257,8 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                     const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
                     if (begin == end) continue;
                     // one entry of slack: the filter writes each candidate before it knows whether to keep it
-                    if (list.size() < used + (end - begin) + 1) list.resize(2 * (used + (end - begin) + 1));
+                    const std::size_t most = used + (end - begin) + 1;
+                    if (list.size() < most) list.resize(most + most / 8);
                     used +=
                         loops.filter_near(points, positions, stride, begin, end, reach_, list.data() + used);
                 }
