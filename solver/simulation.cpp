@@ -50,7 +50,6 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
       particle_spacing_(checked_spacing(particle_spacing)),
       domain_(domain),
       kernel_{model.smoothing_ratio * particle_spacing},
-      air_substeps_(fluid_.water > 0 && fluid_.water < fluid_.size() ? wetdeck::air_substeps(model) : 1),
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()),
       loops_(pair_loops(model)),
       list_(domain, particle_spacing, kernel_.support_radius(), model.skin * kernel_.smoothing_length,
@@ -71,6 +70,8 @@ Simulation::Simulation(const Model& model, FluidParticles fluid, WallParticles w
         }
         coefficients_.wall_pair[i] = wall_coefficients(model_, Phase(i), h);
     }
+    const bool both = fluid_.water > 0 && fluid_.water < fluid_.size();
+    model_.air_substeps = both ? air_substeps(model_) : 1;
     coefficients_.kernel = kernel_;
     coefficients_.gravity = model_.gravity;
     coefficients_.wall_volume = particle_spacing * particle_spacing;
@@ -100,9 +101,9 @@ PassInput Simulation::pass_input() {
     PassInput in = inputs();
     in.new_wall_mean = walls_.mean.data();
     in.density_rate = fluid_.density_rate.data();
-    in.water_share = water_share_;
-    if (water_share_ == 0) in.shares = &list_.air_shares();
-    if (model_.full_cover > 0 && water_share_ > 0) in.cover = fluid_.cover.data();
+    in.water_weight = water_weight_;
+    if (water_weight_ == 0) in.shares = &list_.air_shares();
+    if (model_.full_cover > 0 && water_weight_ > 0) in.cover = fluid_.cover.data();
     in.acceleration_x = fluid_.acceleration_x.data();
     in.acceleration_y = fluid_.acceleration_y.data();
     in.wall_force_x = walls_.force_x.data();
@@ -130,8 +131,8 @@ void Simulation::density_pass() {
 }
 
 void Simulation::wall_pass() {
-    const bool of_use = water_share_ > 0 || model_.wall_pressure == WallPressure::shepard;
-    if (!needs_wall_means(model_) || !of_use) return;
+    const bool for_air = model_.wall_pressure == WallPressure::shepard;
+    if (!needs_wall_means(model_) || (water_weight_ == 0 && !for_air)) return;
     const StageTimer timer(stages_.walls);
     loops_.wall_means(pass_input());
 }
@@ -142,7 +143,7 @@ void Simulation::momentum_pass() {
     if (model_.central_frequency > 0) {
         const double stiffness = model_.central_frequency * model_.central_frequency;
         for (std::size_t i = 0; i < fluid_.size(); ++i) {
-            const double pull = (i < fluid_.water ? water_share_ : 1) * stiffness;
+            const double pull = (i < fluid_.water ? water_weight_ : 1) * stiffness;
             fluid_.acceleration_x[i] -= pull * fluid_.state[i].x;
             fluid_.acceleration_y[i] -= pull * fluid_.state[i].y;
         }
@@ -167,7 +168,7 @@ void Simulation::advance_fluid(double dt) {
         const TaitEquationOfState& eos = water ? model_.water.eos : model_.air.eos;
         DensityBounds bounds;
         bounds.lowest = (water && !model_.tension ? 1 : lowest_density_ratio) * eos.reference_density;
-        if (dt > 0 && water && model_.full_cover > 0 && water_share_ > 0) bounds.cover = fluid_.cover.data();
+        if (dt > 0 && water && model_.full_cover > 0 && water_weight_ > 0) bounds.cover = fluid_.cover.data();
         bounds.full_cover = model_.full_cover;
         const double weight = model_.gravity.norm() * particle_spacing_;
         bounds.open = eos.reference_density * (1 + weight / (eos.sound_speed * eos.sound_speed));
@@ -179,6 +180,7 @@ void Simulation::advance_fluid(double dt) {
 }
 
 void Simulation::evaluate() {
+    water_weight_ = model_.air_substeps;
     fastest_ = {};
     densest_ = {1, 1};
     for (std::size_t i = 0; i < fluid_.size(); ++i) {
@@ -265,7 +267,7 @@ void Simulation::mark_impacts() {
 
 /// The first half kick and half drift of all fluid and the bodies. Returns how far the fastest particle has
 /// moved; it moves as far in the second half.
-double Simulation::kick_and_drift(double half, double water_half) {
+double Simulation::kick_and_drift(double half) {
     const StageTimer timer(stages_.integration);
     double fastest2 = 0;
     const auto size = static_cast<std::int64_t>(fluid_.size());
@@ -282,7 +284,7 @@ double Simulation::kick_and_drift(double half, double water_half) {
     double fastest = std::sqrt(fastest2);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         RigidBody& body = bodies_[b];
-        body.kick(half, water_half);
+        body.kick(half, water_weight_);
         body.drift(half);
         fastest = std::max(fastest, body.fastest_within(body_radii_[b]));
     }
@@ -307,7 +309,7 @@ void Simulation::refresh_list(double farthest) {
 /// The last half kick; finds the largest speeds and whether anything has left its range (rates too: the floor
 /// below the densities would hide what is no number; after a new list they stand in the old order, and
 /// another particle may be named).
-std::optional<Instability> Simulation::last_kick(double dt, double water_dt) {
+std::optional<Instability> Simulation::last_kick(double dt) {
     const StageTimer timer(stages_.integration);
     const auto size = static_cast<std::int64_t>(fluid_.size());
     double fastest_water = 0, fastest_air = 0, densest_water = 1, densest_air = 1;
@@ -317,7 +319,7 @@ std::optional<Instability> Simulation::last_kick(double dt, double water_dt) {
     const double densities[] = {model_.water.eos.reference_density, model_.air.eos.reference_density};
     const double speeds[] = {highest_mach_number * model_.water.eos.sound_speed,
                              highest_mach_number * model_.air.eos.sound_speed};
-    for (RigidBody& body : bodies_) body.kick(0.5 * dt, 0.5 * water_dt);
+    for (RigidBody& body : bodies_) body.kick(0.5 * dt, water_weight_);
 #pragma omp parallel for schedule(static) num_threads(threads_)                       \
     reduction(max                                                                     \
               : fastest_water, fastest_air, densest_water, densest_air) reduction(min \
@@ -367,7 +369,8 @@ std::optional<Instability> Simulation::step(double longest) {
     const double begin = time_, whole = std::min(longest, stable.size);
     if (model_.dissipation_switch) mark_impacts();
     std::optional<Instability> trouble;
-    for (int k = 0; k < air_substeps_ && !trouble; ++k) trouble = substep(whole / air_substeps_, k);
+    const int all = model_.air_substeps;
+    for (int k = 0; k < all && !trouble; ++k) trouble = substep(whole / all, k);
     if (!trouble) time_ = begin + whole;  // not a sum, which might end just before the end
     ++steps_;
     ++limits_[static_cast<std::size_t>(stable.criterion)];
@@ -375,24 +378,25 @@ std::optional<Instability> Simulation::step(double longest) {
 }
 
 /// A step of the air, this number of those in one of the water. What acts on water alone pushes it in the
-/// first and the last of them and compresses it in the middle one, each time for all of them.
+/// first and the last of them and compresses it in the middle one, each time for all of them: between two
+/// passes the rates of the last one, with its weight, are in force.
 std::optional<Instability> Simulation::substep(double dt, int number) {
-    const int all = air_substeps_;
-    const bool first = number == 0, middle = number == all / 2, last = number == all - 1;
-    const double moved = kick_and_drift(0.5 * dt, first ? 0.5 * dt * all : 0);
+    const int all = model_.air_substeps;
+    const bool middle = number == all / 2, last = number == all - 1;
+    const double moved = kick_and_drift(0.5 * dt);
     refresh_list(moved);
-    water_share_ = middle ? all : 0;
-    if (model_.wall_velocity == WallVelocity::mirrored) wall_pass();
+    water_weight_ = middle ? all : 0;
+    if (model_.wall_velocity == WallVelocity::mirrored && middle) wall_pass();
     density_pass();
     advance_and_drift(dt);
     refresh_list(moved);
-    water_share_ = last ? all : 0;
+    water_weight_ = last ? all : 0;
     wall_pass();
     momentum_pass();
     load_bodies();
     time_ += dt;
     particle_steps_ += last ? fluid_.size() : water_near_air_ + fluid_.size() - fluid_.water;
-    return last_kick(dt, last ? dt * all : 0);
+    return last_kick(dt);
 }
 
 std::optional<Instability> Simulation::run(double end, const Observer& observe, const Watch& watch) {

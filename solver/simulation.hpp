@@ -4,7 +4,9 @@
 //
 // One step (velocity Verlet as in Adami, Hu and Adams, 2012): half kick and half drift; density from the
 // rates at the middle; half drift; accelerations at the end; half kick. Two passes over the pairs per step.
-// Rigid bodies go through the same kicks and drifts.
+// Rigid bodies go through the same kicks and drifts. The air may take several such steps in one of the water:
+// pairs of water with water and walls then count in the middle one (density) and the last (momentum) only,
+// as many times as there are.
 #pragma once
 
 #include <array>
@@ -62,10 +64,10 @@ class Simulation {
     /// Runs until `end` [s] or until the run becomes unstable, which is returned.
     std::optional<Instability> run(double end, const Observer& observe, const Watch& watch = {});
 
-    /// One step of the given size at most. Returns what went wrong, if anything.
+    /// One step of the water of the given size at most. Returns what went wrong, if anything.
     std::optional<Instability> step(double longest);
 
-    const Model& model() const { return model_; }                     ///< as given
+    const Model& model() const { return model_; }                     ///< as given, air_substeps as taken
     const FluidParticles& fluid() const { return fluid_; }            ///< sorted: `id` tells who is who
     const WallParticles& walls() const { return walls_; }             ///< of the tank, then of bodies
     const std::vector<RigidBody>& bodies() const { return bodies_; }  ///< in the order given
@@ -74,7 +76,6 @@ class Simulation {
     WendlandC2 kernel() const { return kernel_; }                     ///< with its smoothing length
     double time() const { return time_; }                             ///< since the start [s]
     std::uint64_t steps() const { return steps_; }                    ///< done so far, of the water
-    int air_substeps() const { return air_substeps_; }                ///< steps of the air in each
     std::uint64_t particle_steps() const { return particle_steps_; }  ///< rates summed so far, of both phases
     TimeStep time_step() const { return time_step_; }                 ///< the stable one of the last step
     const StageTimes& stage_times() const { return stages_; }         ///< so far
@@ -120,10 +121,10 @@ class Simulation {
     double momentum_error(PassInput in, const FluidParticles& fluid, const WallParticles& walls) const;
     TimeStep stable_step() const;
     void build_list();
-    double kick_and_drift(double half, double water_half);
+    double kick_and_drift(double half);
     void advance_and_drift(double dt);
     void refresh_list(double farthest);
-    std::optional<Instability> last_kick(double dt, double water_dt);
+    std::optional<Instability> last_kick(double dt);
     std::optional<Instability> body_trouble() const;
     void mark_impacts();
     void soak(std::initializer_list<std::vector<double>*> rates);
@@ -147,7 +148,6 @@ class Simulation {
     double particle_spacing_;
     Box domain_;
     WendlandC2 kernel_;
-    int air_substeps_;  ///< in one step
     int threads_;
     PairLoops loops_;
     mutable NeighbourList list_;  ///< periodic images are scratch of who reads the state
@@ -155,8 +155,8 @@ class Simulation {
     double time_ = 0;
     std::uint64_t steps_ = 0;
     std::uint64_t particle_steps_ = 0;
-    std::uint64_t water_near_air_ = 0;    ///< particles of water that the steps of the air look at
-    double water_share_ = air_substeps_;  ///< PassInput::water_share of the present pass
+    std::uint64_t water_near_air_ = 0;  ///< particles of water that the steps of the air look at
+    double water_weight_ = 1;           ///< PassInput::water_weight of the present pass
     std::uint64_t list_builds_ = 0;
     std::array<double, phase_count> fastest_{};      ///< largest speed [m/s]
     std::array<double, phase_count> densest_{1, 1};  ///< largest density over the reference, at least 1

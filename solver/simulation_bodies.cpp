@@ -32,11 +32,14 @@ void Simulation::attach_fluid() {
 void Simulation::load_bodies() {
     if (bodies_.empty()) return;
     const StageTimer timer(stages_.bodies);
-    if (water_share_ > 0) {
+    if (water_weight_ > 0) {
         sum_body_loads({true, false});
         for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].load_slow(body_loads_[b], model_.gravity);
     }
-    sum_body_loads({false, true});
+    if (fluid_.water < fluid_.size())
+        sum_body_loads({false, true});
+    else
+        body_loads_.assign(bodies_.size(), {});
     for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].load_fast(body_loads_[b], model_.gravity);
 }
 

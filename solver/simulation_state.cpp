@@ -241,6 +241,7 @@ void Simulation::restore(const State& state) {
     time_ = in.number("time");
     steps_ = in.count("steps");
     particle_steps_ = in.count("particle_steps");
+    water_weight_ = model_.air_substeps;
     list_builds_ = in.count("list_builds");
     time_step_ = {in.number("time_step"),
                   static_cast<LimitingCriterion>(in.count("criterion", static_cast<double>(limits_.size())))};

@@ -12,8 +12,9 @@
 //
 //     (M + m) a = F + M g + F_applied + m a_last,
 //
-// it settles within a few (M + m)/M steps, on the same motion; what the body's momentum lacks meanwhile is
-// m (a_last - a_first) dt, not a sum over steps. Only bodies lighter than that fluid get any of it.
+// it settles within a few (M + m)/M long steps, on the same motion; what the body's momentum lacks meanwhile
+// is m (a_last - a_first) dt, not a sum over steps, as far as the fast loads are the same throughout a long
+// step dt. Only bodies lighter than that fluid get any of it.
 // The pose is integrated, never the particles of the surface: they are placed from it, so that nothing
 // drifts.
 #pragma once
@@ -94,9 +95,10 @@ struct RigidBody {
         angular_acceleration = free[2] ? twist / (inertia + following_inertia()) : 0;
     }
 
-    /// Velocities and impulses over a time [s] with the loads as they are; the slow ones act over their own.
-    void kick(double duration, double slow_duration) {
-        const double longer = slow_duration - duration;
+    /// Velocities and impulses over a time [s] with the loads as they are; the slow ones act over that time
+    /// as often as their weight says.
+    void kick(double duration, double slow_weight) {
+        const double longer = (slow_weight - 1) * duration;
         const Vec2 push = duration * force + longer * slow.force;
         const double twist = duration * torque + longer * slow.torque;
         Vec2 gain = duration * acceleration;

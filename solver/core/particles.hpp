@@ -36,7 +36,7 @@ struct alignas(64) FluidState {
 };
 
 /// Fluid particles: indices [0, water) are water, [water, size) air. Where a step of the water has several of
-/// the air, the rates of water are those times their number.
+/// the air, what acts on water besides air counts that many times in its rates, or not at all.
 struct FluidParticles {
     std::vector<FluidState> state;       ///< what neighbours read
     std::vector<double> mass;            ///< [kg/m]
@@ -89,8 +89,8 @@ struct BodyPoint {
 struct WallParticles {
     std::vector<WallState> state;       ///< what the fluid reads
     std::vector<WallMean> mean;         ///< where the model uses it
-    std::vector<double> force_x;        ///< of the fluid on each; bodies only [N/m]
-    std::vector<double> force_y;        ///< of the fluid on each; bodies only [N/m]
+    std::vector<double> force_x;        ///< of the phase last summed on each; bodies only [N/m]
+    std::vector<double> force_y;        ///< the same along y [N/m]
     std::vector<BodyPoint> body_point;  ///< of [fixed, size)
     std::vector<std::uint32_t> id;      ///< stable under sorting
     std::size_t fixed = 0;              ///< number of particles of the tank's walls

@@ -258,7 +258,10 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                     if (begin == end) continue;
                     // one entry of slack: the filter writes each candidate before it knows whether to keep it
                     const std::size_t most = used + (end - begin) + 1;
-                    if (list.size() < most) list.resize(most + most / 8);
+                    if (list.size() < most) {
+                        list.reserve(most + most / 8);  // by itself it would double
+                        list.resize(list.capacity());
+                    }
                     used +=
                         loops.filter_near(points, positions, stride, begin, end, reach_, list.data() + used);
                 }

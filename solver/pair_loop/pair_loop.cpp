@@ -36,7 +36,7 @@ PairLoops pair_loops(const Model& model, const char* instruction_set) {
 
 std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads, bool only_air) {
     const auto pairs = [only_air](const Cluster& c) {
-        if (only_air && c.phase == Phase::water) return std::size_t{c.fluid_neighbours[1]};
+        if (only_air && c.phase == Phase::water) return std::size_t{c.fluid_neighbours[1]} + 1;
         return std::size_t{c.fluid_neighbours[0]} + c.fluid_neighbours[1] + c.wall_neighbours;
     };
     std::size_t total = 0;

@@ -61,7 +61,7 @@ struct WallCoefficients {
 
 /// First clusters of as many consecutive shares of about the same number of neighbours as there are threads,
 /// and an end mark. What is near walls, or in the middle of the fluid, costs more than what is at a surface.
-/// Water without air near counts for nothing where only steps of the air are shared out.
+/// Of steps of the air alone, in which water without air near costs next to nothing, with `only_air`.
 std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads,
                                       bool only_air = false);
 
@@ -86,7 +86,7 @@ struct PassInput {
     double pressure_guard = 0;  ///< of the harmonic pressure mean [Pa]
     /// Factor on what water gets from water, walls and gravity, 0 to leave that out: the air may take steps
     /// of its own.
-    double water_share = 1;
+    double water_weight = 1;
     std::array<bool, phase_count> loading = {true, true};  ///< phases whose forces on bodies count
     double* density_rate = nullptr;
     double* cover = nullptr;  ///< of water, SUM_j V_j W_ij; written by density_rates unless null

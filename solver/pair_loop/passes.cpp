@@ -24,14 +24,14 @@ void for_clusters(const PassInput& in, Work work) {
 
 /// What counts of pairs of a fluid particle with others: those that only water takes part in have a weight
 /// of their own.
-double share_of(const PassInput& in, Phase left, bool with_air) {
-    return left == Phase::water && !with_air ? in.water_share : 1;
+double weight_of(const PassInput& in, Phase left, bool with_air) {
+    return left == Phase::water && !with_air ? in.water_weight : 1;
 }
 
 /// Whether a pass has nothing to add up for this cluster: water that no air is near, between steps of the
 /// water.
 bool rests(const PassInput& in, const Cluster& cluster) {
-    return cluster.phase == Phase::water && in.water_share == 0 && cluster.fluid_neighbours[1] == 0;
+    return cluster.phase == Phase::water && in.water_weight == 0 && cluster.fluid_neighbours[1] == 0;
 }
 
 // --- continuity: d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*), Eq. (12)
@@ -42,7 +42,7 @@ struct DensitySums {
 
 template <bool harmonic, bool hydrostatic, bool covered>
 WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                std::uint32_t count, const PairCoefficients& c, Pack mobility, double share,
+                                std::uint32_t count, const PairCoefficients& c, Pack mobility, double times,
                                 DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
@@ -66,20 +66,20 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
         sum += j.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * deficit;
         if constexpr (covered) cover += j.volume * WendlandC2::bell(s.distance, inverse_h);
     }
-    sums.rate += share * sum;
+    sums.rate += times * sum;
     if constexpr (covered) sums.cover += cover;
 }
 
-/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump;
-/// an edge of a body, which has no normal, reverses the whole velocity. Where the wall is mirrored it moves
-/// along its face with the water around it.
+/// Free slip and no slip alike: the wall reverses the normal velocity about its times_own and has no pressure
+/// jump; an edge of a body, which has no normal, reverses the whole velocity. Where the wall is mirrored it
+/// moves along its face with the water around it.
 template <bool mirrored, bool covered>
 void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                      std::uint32_t count, double share, DensitySums& sums) {
+                      std::uint32_t count, double times, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     Pack sum = 0.0, stretching = 0.0, cover = 0.0;
-    // Height of the particle above the layer of the nearest boundary particle, which tells its own face: the
-    // other face of a thin body, or of an edge, has no say.
+    // Height of the particle above the layer of the nearest boundary particle, which tells its times_own
+    // face: the other face of a thin body, or of an edge, has no say.
     Pack closest = in.kernel.support_radius(), nearest = in.kernel.smoothing_length;
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
@@ -107,7 +107,7 @@ void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* 
     }
     const Pack distance = nearest * (1 / in.particle_spacing) - 0.5;  // from the face, in spacings
     if constexpr (mirrored) sum = sum - 0.5 * stretching_share(distance) * stretching;
-    sums.rate += share * in.wall_volume * sum;
+    sums.rate += times * in.wall_volume * sum;
     if constexpr (covered) {
         const double inverse_norm = 1 / in.kernel.normalisation();
         const Pack touching = inverse_norm * (touching_cover + positive_part(-distance));
@@ -126,15 +126,15 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
     for (std::size_t phase = 0; phase < phase_count; ++phase) {
         const std::uint32_t count = cluster.fluid_neighbours[phase];
         const PairCoefficients& c = coefficients[phase];
-        const double share = share_of(in, cluster.phase, phase == 1);
-        if (share > 0)
+        const double times = weight_of(in, cluster.phase, phase == 1);
+        if (times > 0)
             density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, c, c.mobility * thinner,
-                                                        share, sums);
+                                                        times, sums);
         neighbours += count;
     }
-    const double own = share_of(in, cluster.phase, false);
-    if (cluster.wall_neighbours > 0 && own > 0)
-        wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, own, sums);
+    const double times_own = weight_of(in, cluster.phase, false);
+    if (cluster.wall_neighbours > 0 && times_own > 0)
+        wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, times_own, sums);
     store(2 * in.kernel.slope_factor() * i.density * sums.rate, in.density_rate, cluster);
     if constexpr (covered) store(in.kernel.normalisation() * sums.cover, in.cover, cluster);
 }
@@ -156,7 +156,7 @@ void density_rates(const PassInput& in) {
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched>
 WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                                 std::uint32_t count, const PairCoefficients& c, double share,
+                                 std::uint32_t count, const PairCoefficients& c, double times,
                                  VectorSum& sum) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     VectorSum fluid;
@@ -184,13 +184,13 @@ WETDECK_INLINE void momentum_sum(const PassInput& in, const Lanes& i, const std:
         fluid.x += weight * s.x;
         fluid.y += weight * s.y;
     }
-    sum.x += share * fluid.x;
-    sum.y += share * fluid.y;
+    sum.x += times * fluid.x;
+    sum.y += times * fluid.y;
 }
 
 template <bool no_slip, bool shepard>
 void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
-                       std::uint32_t count, const WallCoefficients& c, double share, VectorSum& sum) {
+                       std::uint32_t count, const WallCoefficients& c, double times, VectorSum& sum) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     VectorSum wall;
     for (std::uint32_t n = 0; n < count; ++n) {
@@ -204,8 +204,8 @@ void wall_momentum_sum(const PassInput& in, const Lanes& i, const std::uint32_t*
         wall.x += weight * s.x;
         wall.y += weight * s.y;
     }
-    sum.x += share * in.wall_volume * wall.x;
-    sum.y += share * in.wall_volume * wall.y;
+    sum.x += times * in.wall_volume * wall.x;
+    sum.y += times * in.wall_volume * wall.y;
 }
 
 template <bool harmonic, bool dissipative, bool viscous, bool switched, bool no_slip>
@@ -221,22 +221,22 @@ void accelerations(const PassInput& in) {
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             const std::uint32_t count = cluster.fluid_neighbours[phase];
-            const double share = share_of(in, cluster.phase, phase == 1);
-            if (share > 0)
+            const double times = weight_of(in, cluster.phase, phase == 1);
+            if (times > 0)
                 momentum_sum<harmonic, dissipative, viscous, switched>(in, i, neighbours, count,
-                                                                       in.pair[phase_i][phase], share, sum);
+                                                                       in.pair[phase_i][phase], times, sum);
             neighbours += count;
         }
-        const double own = share_of(in, cluster.phase, false);
-        if (cluster.wall_neighbours > 0 && own > 0) {
+        const double times_own = weight_of(in, cluster.phase, false);
+        if (cluster.wall_neighbours > 0 && times_own > 0) {
             const bool shepard = in.wall_pressure_mean[phase_i];
             const auto wall_sum =
                 shepard ? wall_momentum_sum<no_slip, true> : wall_momentum_sum<no_slip, false>;
-            wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], own, sum);
+            wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], times_own, sum);
         }
         const Pack factor = 2 * in.kernel.slope_factor() / i.density;
-        store(factor * sum.x + own * in.gravity.x(), in.acceleration_x, cluster);
-        store(factor * sum.y + own * in.gravity.y(), in.acceleration_y, cluster);
+        store(factor * sum.x + times_own * in.gravity.x(), in.acceleration_x, cluster);
+        store(factor * sum.y + times_own * in.gravity.y(), in.acceleration_y, cluster);
     });
 }
 

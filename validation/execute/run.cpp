@@ -45,7 +45,7 @@ void record_parameters(RunRecord& record, const Scene& scene, const Simulation& 
         p["air.exponent"] = m.air.eos.exponent;
         p["air.viscosity"] = m.air.viscosity;
     }
-    if (scene.air) p["model.air_substeps"] = simulation.air_substeps();
+    if (scene.air) p["model.air_substeps"] = simulation.model().air_substeps;
     p["model.background_pressure"] = m.water.eos.background_pressure;
     p["model.pressure_diffusion"] = m.pressure_diffusion;
     p["model.dissipation_slope"] = m.dissipation_slope;
@@ -189,11 +189,12 @@ class Run {
             fields_->write(frame_of(s, line()));
         }
         // what an unstable run leaves behind; more often while the run is young
-        constexpr std::uint64_t steps_between = 256;
+        const auto substeps = static_cast<std::uint64_t>(s.model().air_substeps);
+        const std::uint64_t steps_between = std::max<std::uint64_t>(4, 256 / std::bit_ceil(substeps));
         const bool good =
             s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()));
         if (good) last_good_ = frame_of(s, line());
-        if (s.steps() % 64 == 0)
+        if (s.steps() % (steps_between / 4) == 0)
             progress.update(s.time() / end_,
                             fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end_, s.steps()));
         const int signal = s.time() < end_ ? stop_signal() : 0;

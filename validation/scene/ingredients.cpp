@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/time/time_step.hpp"
+
 namespace wetdeck {
 namespace {
 
@@ -11,7 +13,7 @@ std::string dashed(std::string name) {
     return name;
 }
 
-constexpr const char* air = "air";
+constexpr const char *air = "air", *steps_of_the_air = "steps of the air";
 
 }  // namespace
 
@@ -40,7 +42,10 @@ std::vector<Ingredient> ingredients_of(const Scene& scene) {
         {"model.background_pressure=0"});
     add(m.pressure_diffusion > 0, "pressure diffusion", {"model.pressure_diffusion=0"});
     add(m.full_cover > 0, "density bound", {"model.full_cover=0"});
-    add(m.dissipation_switch, "switched dissipation", {"model.dissipation_switch=false"});
+    // the switch needs the rates of each step of the air
+    add(m.dissipation_switch, "switched dissipation",
+        {"model.dissipation_switch=false", "model.air_substeps=1"});
+    add(scene.air && air_substeps(m) > 1, steps_of_the_air, {"model.air_substeps=1"});
     return all;
 }
 
@@ -52,11 +57,16 @@ AblationPlan ablation_plan(const Scene& scene) {
         return plan.runs.size() - 1;
     };
     const std::vector<Ingredient> all = ingredients_of(scene);
-    for (const Ingredient& one : all)
-        plan.pairs.push_back({one.name, 0, add("without " + one.name, one.off)});
+    std::size_t without_switch = 0;  // what the switch is compared with
+    for (const Ingredient& one : all) {
+        const std::size_t off = add("without " + one.name, one.off);
+        plan.pairs.push_back({one.name, 0, off});
+        if (one.name == steps_of_the_air) without_switch = off;
+    }
     if (!scene.model.dissipation_switch) {
         plan.pairs.push_back({"switched dissipation (added)",
-                              add("with switched dissipation", {"model.dissipation_switch=true"}), 0});
+                              add("with switched dissipation", {"model.dissipation_switch=true"}),
+                              without_switch});
     }
     const auto minimal_but = [&all](const std::string& kept) {
         std::vector<std::string> overrides;

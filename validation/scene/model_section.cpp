@@ -119,10 +119,9 @@ void read_model(const TomlTable& root, Scene& scene) {
         model.fail("courant_number", fmt::format("is {}, expected above 0 and at most 2", m.courant_number));
     }
     const double substeps = model.number_or("air_substeps", 0);
-    m.air_substeps = static_cast<int>(substeps);
-    const bool odd = m.air_substeps % 2 == 1 && m.air_substeps == substeps && substeps <= 99;
-    if (substeps != 0 && !odd)
+    if (substeps != 0 && !(substeps > 0 && substeps < 100 && std::fmod(substeps, 2) == 1))
         model.fail("air_substeps", fmt::format("is {}, expected an odd number up to 99, or 0", substeps));
+    m.air_substeps = static_cast<int>(substeps);
     if (substeps > 1 && m.dissipation_switch)
         model.fail("air_substeps", fmt::format("is {}, expected 1 with the dissipation switch", substeps));
     m.skin = model.number_or("skin", scene.air ? m.skin : 2 * m.skin);

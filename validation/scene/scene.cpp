@@ -182,7 +182,7 @@ const std::vector<SeriesInfo>& every_run_series() {
         {"mass", "kg/m", "mass of all fluid"},
         {"density_error_max", "-", "largest |rho/rho0 - 1| of the water"},
         {"particles_outside", "-", "fluid particles beyond the tank's faces"},
-        {"time_step", "s", "stable time step"},
+        {"time_step", "s", "stable time step of the water"},
         {"momentum_error", "-",
          "forces on all fluid less gravity and less the reactions on walls and bodies, over the sum of their "
          "sizes; "

@@ -80,7 +80,7 @@ Case courant() {
     return result;
 }
 
-/// The air's sound speed stays. A higher one of the water costs nothing while it is below that.
+/// The air's sound speed stays.
 Case sound_speed() {
     Case result{"sound_speed", "dam break, sound speed of the water [m/s]",
                 dam_breaks(set_sound_speed, {100, 50, 24.26, 16}, 0)};

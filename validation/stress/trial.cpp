@@ -91,14 +91,18 @@ Outcome run_trial(Trial trial) {
     const double energy_before = energy(s, start), scale = energy_scale(s, start);
     FieldFrame good = frame_of(s, "");
     std::optional<Instability> trouble;
+    // as close where the air takes several steps in one
+    const auto substeps = std::bit_ceil(static_cast<std::uint64_t>(s.model().air_substeps));
+    const std::uint64_t between_frames = std::max<std::uint64_t>(1, steps_between_frames / substeps);
+    const std::uint64_t between_checks = std::max<std::uint64_t>(1, steps_between_checks / substeps);
     while (!trouble && s.time() < trial.end && s.steps() < trial.most_steps) {
         trouble = s.step(trial.end - s.time());
         const bool last = s.time() >= trial.end;
-        const bool check = s.steps() % steps_between_checks == 0 || last;
+        const bool check = s.steps() % between_checks == 0 || last;
         if (!trouble && check && trial.watch) trouble = trial.watch(s);
         if (trouble) break;
-        const bool young = s.steps() < steps_between_frames && std::has_single_bit(s.steps());
-        if (young || s.steps() % steps_between_frames == 0) good = frame_of(s, "");
+        const bool young = s.steps() < between_frames && std::has_single_bit(s.steps());
+        if (young || s.steps() % between_frames == 0) good = frame_of(s, "");
         if (!check) continue;
         const Balance b = balance(s);
         outcome.density_error = std::max(outcome.density_error, b.water_density_error);

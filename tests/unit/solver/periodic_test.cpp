@@ -124,7 +124,9 @@ TEST_CASE("A fluid that flows through the seam moves as it does at rest", "[peri
 
 TEST_CASE("A periodic simulation restored between two builds of its list goes on with the same bits",
           "[periodic]") {
-    samples::Setup setup = channel(0);
+    Model model = samples::two_phase_model();
+    model.air_substeps = GENERATE(1, 3);
+    samples::Setup setup = channel(0, model);
     Simulation whole = setup.simulate();
     const auto step = [](Simulation& s, int steps) {
         for (int n = 0; n < steps; ++n) REQUIRE_FALSE(s.step(1));

@@ -27,12 +27,12 @@ void advance(RigidBody& body, int steps, const BodyLoad& slow = {}, const BodyLo
     body.load_fast(fast, gravity);
     for (int n = 0; n < steps; ++n) {
         const bool first = n % all == 0, last = n % all == all - 1;
-        body.kick(0.5 * step, first ? 0.5 * step * all : 0);
+        body.kick(0.5 * step, first ? all : 0);
         body.drift(0.5 * step);
         body.drift(0.5 * step);
         if (last) body.load_slow(slow, gravity);
         body.load_fast(fast, gravity);
-        body.kick(0.5 * step, last ? 0.5 * step * all : 0);
+        body.kick(0.5 * step, last ? all : 0);
     }
 }
 

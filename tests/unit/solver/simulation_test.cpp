@@ -2,6 +2,7 @@
 // The time loop: what it refuses, what it counts, when it marks impacts, how it stops.
 #include "solver/simulation.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -105,6 +106,25 @@ TEST_CASE("A particle whose density leaves its range ends the run with its name"
     CHECK(trouble->particle == id);
     CHECK(trouble->position == simulation.fluid().state[5].position());
     CHECK_THAT(trouble->describe(), Catch::Contains("water density 1.01e+04") && Catch::Contains("step 1"));
+}
+
+TEST_CASE("A run may end within a step of the water; what is evaluated then is whole", "[simulation]") {
+    Model model = samples::two_phase_model();
+    model.air_substeps = 3;
+    Simulation simulation = samples::dam_break(model, {0.3, 0.45}, {0.9, 0.6}, 0.03).simulate();
+    const auto at_rest = [&] {
+        const FluidParticles& fluid = simulation.fluid();
+        return std::count(fluid.acceleration_y.begin(),
+                          fluid.acceleration_y.begin() + static_cast<std::ptrdiff_t>(fluid.water), 0.0);
+    };
+    simulation.disturb().state.back().density = 100;
+    const std::optional<Instability> trouble = simulation.step(3e-6);
+    REQUIRE(trouble);
+    CHECK(trouble->step == 1);
+    CHECK(trouble->time == Approx(1e-6));
+    CHECK(at_rest() > 20);
+    simulation.evaluate();
+    CHECK(at_rest() == 0);
 }
 
 TEST_CASE("A velocity that is no number ends the run in the same step", "[simulation]") {
