@@ -132,10 +132,9 @@ std::string cost_table(const Runs& runs, const AnalysisSpec& scene) {
     return pace_table(runs, scene.source_run) + stage_table(runs) +
            paragraph(
                "Particle-steps: particles whose rates were summed, over all steps; where the air takes "
-               "several in "
-               "one of the water, the air counts in each of them, and of the water only what is near air. "
-               "Seconds per stage are wall time of the time "
-               "loop; what is not in them is set-up.",
+               "several "
+               "in one of the water, the air counts in each of them, and of the water only what is near air. "
+               "Seconds per stage are wall time of the time loop; what is not in them is set-up.",
                "soft");
 }
 

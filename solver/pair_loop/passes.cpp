@@ -22,10 +22,10 @@ void for_clusters(const PassInput& in, Work work) {
     }
 }
 
-/// What counts of pairs of a fluid particle with others: those that only water takes part in have a weight
-/// of their own.
-double weight_of(const PassInput& in, Phase left, bool with_air) {
-    return left == Phase::water && !with_air ? in.water_weight : 1;
+/// How often what this cluster gets without air counts: from water, walls and gravity. Pairs with air count
+/// once.
+double own_weight(const PassInput& in, const Cluster& cluster) {
+    return cluster.phase == Phase::water ? in.water_weight : 1;
 }
 
 /// Whether a pass has nothing to add up for this cluster: water that no air is near, between steps of the
@@ -70,16 +70,16 @@ WETDECK_INLINE void density_sum(const PassInput& in, const Lanes& i, const std::
     if constexpr (covered) sums.cover += cover;
 }
 
-/// Free slip and no slip alike: the wall reverses the normal velocity about its times_own and has no pressure
-/// jump; an edge of a body, which has no normal, reverses the whole velocity. Where the wall is mirrored it
-/// moves along its face with the water around it.
+/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump;
+/// an edge of a body, which has no normal, reverses the whole velocity. Where the wall is mirrored it moves
+/// along its face with the water around it.
 template <bool mirrored, bool covered>
 void wall_density_sum(const PassInput& in, const Lanes& i, const std::uint32_t* neighbours,
                       std::uint32_t count, double times, DensitySums& sums) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     Pack sum = 0.0, stretching = 0.0, cover = 0.0;
-    // Height of the particle above the layer of the nearest boundary particle, which tells its times_own
-    // face: the other face of a thin body, or of an edge, has no say.
+    // Height of the particle above the layer of the nearest boundary particle, which tells its own face: the
+    // other face of a thin body, or of an edge, has no say.
     Pack closest = in.kernel.support_radius(), nearest = in.kernel.smoothing_length;
     for (std::uint32_t n = 0; n < count; ++n) {
         const WallState& w = in.wall[neighbours[n]];
@@ -122,19 +122,19 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
     const auto& coefficients = in.pair[static_cast<std::size_t>(cluster.phase)];
     const std::uint32_t* neighbours = cluster.neighbours;
     const Pack thinner = in.reference_density[static_cast<std::size_t>(cluster.phase)] / i.density;
+    const double own = own_weight(in, cluster);
     DensitySums sums;
     for (std::size_t phase = 0; phase < phase_count; ++phase) {
         const std::uint32_t count = cluster.fluid_neighbours[phase];
         const PairCoefficients& c = coefficients[phase];
-        const double times = weight_of(in, cluster.phase, phase == 1);
+        const double times = phase == 1 ? 1 : own;
         if (times > 0)
             density_sum<harmonic, hydrostatic, covered>(in, i, neighbours, count, c, c.mobility * thinner,
                                                         times, sums);
         neighbours += count;
     }
-    const double times_own = weight_of(in, cluster.phase, false);
-    if (cluster.wall_neighbours > 0 && times_own > 0)
-        wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, times_own, sums);
+    if (cluster.wall_neighbours > 0 && own > 0)
+        wall_density_sum<mirrored, covered>(in, i, neighbours, cluster.wall_neighbours, own, sums);
     store(2 * in.kernel.slope_factor() * i.density * sums.rate, in.density_rate, cluster);
     if constexpr (covered) store(in.kernel.normalisation() * sums.cover, in.cover, cluster);
 }
@@ -218,25 +218,25 @@ void accelerations(const PassInput& in) {
         const auto phase_i = static_cast<std::size_t>(cluster.phase);
         const Lanes i = load(in.fluid, cluster);
         const std::uint32_t* neighbours = cluster.neighbours;
+        const double own = own_weight(in, cluster);
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             const std::uint32_t count = cluster.fluid_neighbours[phase];
-            const double times = weight_of(in, cluster.phase, phase == 1);
+            const double times = phase == 1 ? 1 : own;
             if (times > 0)
                 momentum_sum<harmonic, dissipative, viscous, switched>(in, i, neighbours, count,
                                                                        in.pair[phase_i][phase], times, sum);
             neighbours += count;
         }
-        const double times_own = weight_of(in, cluster.phase, false);
-        if (cluster.wall_neighbours > 0 && times_own > 0) {
+        if (cluster.wall_neighbours > 0 && own > 0) {
             const bool shepard = in.wall_pressure_mean[phase_i];
             const auto wall_sum =
                 shepard ? wall_momentum_sum<no_slip, true> : wall_momentum_sum<no_slip, false>;
-            wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], times_own, sum);
+            wall_sum(in, i, neighbours, cluster.wall_neighbours, in.wall_pair[phase_i], own, sum);
         }
         const Pack factor = 2 * in.kernel.slope_factor() / i.density;
-        store(factor * sum.x + times_own * in.gravity.x(), in.acceleration_x, cluster);
-        store(factor * sum.y + times_own * in.gravity.y(), in.acceleration_y, cluster);
+        store(factor * sum.x + own * in.gravity.x(), in.acceleration_x, cluster);
+        store(factor * sum.y + own * in.gravity.y(), in.acceleration_y, cluster);
     });
 }
 
