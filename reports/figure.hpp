@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 #include "validation/metrics/specification.hpp"
 
 namespace wetdeck::report {

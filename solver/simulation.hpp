@@ -18,11 +18,11 @@
 #include <vector>
 
 #include "solver/bodies/rigid_body.hpp"
-#include "solver/core/model.hpp"
-#include "solver/core/particles.hpp"
-#include "solver/instability.hpp"
 #include "solver/neighbours/neighbour_list.hpp"
-#include "solver/pair_loop/pair_loop.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/passes/pair_loop.hpp"
+#include "solver/physics/model.hpp"
+#include "solver/time/instability.hpp"
 #include "solver/time/time_step.hpp"
 
 namespace wetdeck {

@@ -12,11 +12,11 @@
 #include <optional>
 #include <vector>
 
-#include "solver/core/particles.hpp"
 #include "solver/core/vec2.hpp"
 #include "solver/neighbours/periodic_images.hpp"
 #include "solver/neighbours/relative_motion.hpp"
-#include "solver/pair_loop/pair_loop.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/passes/pair_loop.hpp"
 
 namespace wetdeck {
 

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "solver/core/particles.hpp"
 #include "solver/core/vec2.hpp"
+#include "solver/particles/particles.hpp"
 
 namespace wetdeck {
 

@@ -2,8 +2,8 @@
 // Pressure at the start, from which the initial densities follow.
 #pragma once
 
-#include "solver/core/model.hpp"
-#include "solver/core/particles.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/physics/model.hpp"
 
 namespace wetdeck {
 

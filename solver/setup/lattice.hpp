@@ -2,8 +2,8 @@
 // Particles on a lattice: boxes of fluid, and dummy-particle walls around a tank.
 #pragma once
 
-#include "solver/core/particles.hpp"
 #include "solver/core/vec2.hpp"
+#include "solver/particles/particles.hpp"
 
 namespace wetdeck {
 

@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "solver/core/model.hpp"
-#include "solver/core/particles.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/physics/model.hpp"
 
 namespace wetdeck {
 

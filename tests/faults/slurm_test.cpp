@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/faults/program_support.hpp"
-#include "validation/execute/slurm.hpp"
+#include "validation/jobs/slurm.hpp"
 #include "validation/store/checkpoint.hpp"
 
 using namespace wetdeck;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/kernel/wendland_c2.hpp"
 #include "solver/physics/density_bounds.hpp"
+#include "solver/physics/wendland_c2.hpp"
 
 namespace wetdeck::samples {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "solver/core/model.hpp"
-#include "solver/core/particles.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/physics/model.hpp"
 
 namespace wetdeck::samples {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 
 namespace wetdeck {
 

@@ -10,7 +10,7 @@
 #include <ctime>
 
 #include "solver/core/errors.hpp"
-#include "validation/execute/assemble.hpp"
+#include "validation/run/assemble.hpp"
 #include "validation/scene/scene.hpp"
 
 namespace wetdeck {

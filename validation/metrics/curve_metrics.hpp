@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 #include "validation/metrics/summary.hpp"
 
 namespace wetdeck {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 
 namespace wetdeck {
 

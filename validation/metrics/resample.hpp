@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 #include "validation/metrics/specification.hpp"
 #include "validation/store/run_record.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 #include "validation/metrics/specification.hpp"
 #include "validation/metrics/verification.hpp"
 #include "validation/store/run_record.hpp"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 #include "validation/metrics/specification.hpp"
 
 namespace wetdeck {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "validation/benchmark/benchmark.hpp"
-#include "validation/execute/slurm.hpp"
-#include "validation/execute/stress.hpp"
-#include "validation/execute/suite.hpp"
-#include "validation/execute/verify.hpp"
+#include "validation/commands/stress.hpp"
+#include "validation/commands/verify.hpp"
+#include "validation/jobs/slurm.hpp"
+#include "validation/jobs/suite.hpp"
 
 namespace wetdeck {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Materials and model ingredients: names in the file to choices of the solver. Defaults live in
-// solver/core/model.hpp.
+// solver/physics/model.hpp.
 #include <fmt/format.h>
 
 #include <cmath>

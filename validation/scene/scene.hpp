@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "solver/bodies/rigid_body.hpp"
-#include "solver/core/model.hpp"
 #include "solver/core/vec2.hpp"
+#include "solver/physics/model.hpp"
 #include "solver/setup/body_outline.hpp"
 #include "validation/metrics/specification.hpp"
 

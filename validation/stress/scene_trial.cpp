@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "validation/execute/assemble.hpp"
-#include "validation/execute/watchdog.hpp"
+#include "validation/run/assemble.hpp"
+#include "validation/run/watchdog.hpp"
 
 namespace wetdeck::stress {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "solver/core/model.hpp"
+#include "solver/physics/model.hpp"
 
 namespace wetdeck::stress {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "solver/probes/energy.hpp"
-#include "validation/execute/field_frame.hpp"
+#include "validation/run/field_frame.hpp"
 #include "validation/store/raster.hpp"
 
 namespace wetdeck::stress {

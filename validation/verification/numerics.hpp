@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "validation/metrics/curve.hpp"
+#include "solver/core/curve.hpp"
 
 namespace wetdeck::verification {
 

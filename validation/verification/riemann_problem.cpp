@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/pair_loop/pair_loop.hpp"
+#include "solver/passes/pair_loop.hpp"
 #include "solver/physics/riemann.hpp"
 #include "validation/verification/exact_riemann.hpp"
 #include "validation/verification/problems.hpp"

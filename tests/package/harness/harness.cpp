@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs a scene for an instant, stores it and reads it back: how it ended, and whether the front was recorded.
 #include <cstdio>
-#include <wetdeck/validation/execute/run.hpp>
+#include <wetdeck/validation/run/run.hpp>
 #include <wetdeck/validation/store/run_store.hpp>
 
 using namespace wetdeck;

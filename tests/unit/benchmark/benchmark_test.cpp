@@ -5,7 +5,7 @@
 #include "tests/unit/scene/scene_samples.hpp"
 #include "validation/benchmark/machine_limit.hpp"
 #include "validation/benchmark/spread.hpp"
-#include "validation/execute/assemble.hpp"
+#include "validation/run/assemble.hpp"
 
 using namespace wetdeck;
 

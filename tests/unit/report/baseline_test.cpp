@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A committed baseline: who may write one, and what it notices.
-#include "validation/execute/baseline.hpp"
+#include "validation/commands/baseline.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

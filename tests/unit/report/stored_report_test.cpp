@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/unit/report/stored_samples.hpp"
-#include "validation/execute/publish.hpp"
+#include "validation/commands/publish.hpp"
 #include "validation/metrics/stored_tables.hpp"
 
 using namespace wetdeck;

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "validation/analytic/curves.hpp"
-#include "validation/execute/assemble.hpp"
 #include "validation/metrics/reference.hpp"
+#include "validation/run/assemble.hpp"
 #include "validation/scene/scene.hpp"
 
 using namespace wetdeck;

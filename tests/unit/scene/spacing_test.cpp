@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/unit/scene/scene_samples.hpp"
-#include "validation/execute/assemble.hpp"
+#include "validation/run/assemble.hpp"
 
 using namespace wetdeck;
 using Catch::Contains;

@@ -2,7 +2,7 @@
 // From the model's choices to the numbers of the pair loops.
 #include <catch2/catch.hpp>
 
-#include "solver/pair_loop/pair_loop.hpp"
+#include "solver/passes/pair_loop.hpp"
 #include "solver/physics/riemann.hpp"
 #include "tests/support/samples.hpp"
 

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "solver/pair_loop/pair_loop.hpp"
+#include "solver/passes/pair_loop.hpp"
 #include "tests/support/quadrature.hpp"
 #include "tests/support/samples.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernel: normalisation, slope, support.
-#include "solver/kernel/wendland_c2.hpp"
+#include "solver/physics/wendland_c2.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>

@@ -3,7 +3,7 @@
 // viscosity factor.
 #include <catch2/catch.hpp>
 
-#include "solver/core/model.hpp"
+#include "solver/physics/model.hpp"
 #include "solver/physics/riemann.hpp"
 
 using namespace wetdeck;

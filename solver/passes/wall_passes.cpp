@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loops over boundary particles. Compiled once per instruction set, with WETDECK_ISA naming the
+// namespace.
+#include "solver/passes/wall_pairs.hpp"
+
+namespace wetdeck::WETDECK_ISA {
+
+// --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, Eq. (19)
+
+/// The fluid in front of each particle's face counts: what is behind a thin body belongs to its other face.
+void wall_means(const PassInput& in) {
+    const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+#pragma omp parallel for schedule(static) num_threads(in.threads)
+    for (std::int64_t n = 0; n < cluster_count; ++n) {
+        const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
+        const WallLanes w = load(in, cluster);
+        Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0;
+        const std::uint32_t count =
+            cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const FluidState& f = in.fluid[cluster.neighbours[k]];
+            const Separation s = separation(w, f.x, f.y);
+            const Pack behind = s.x * w.nx + s.y * w.ny;
+            const Pack weight = select(behind > 0.0, 0.0, WendlandC2::bell(s.distance, inverse_h));
+            pressure_sum += weight * (f.pressure - f.density * (w.drive_x * s.x + w.drive_y * s.y));
+            weight_sum += weight;
+            vx_sum += weight * f.vx;
+            vy_sum += weight * f.vy;
+        }
+        const Pack inverse = 1.0 / maximum(weight_sum, 1e-300);
+        const Pack pressure = pressure_sum * inverse, vx = vx_sum * inverse, vy = vy_sum * inverse;
+        for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
+            in.new_wall_mean[cluster.first + lane] = {pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane]};
+        }
+    }
+}
+
+namespace {
+
+/// The same pairs seen from eight boundary particles: minus twice V_i V_w P* F r_iw / r, less the slope
+/// factor.
+template <bool no_slip, bool shepard>
+void reaction_sum(const PassInput& in, const WallLanes& w, Pack mean, const std::uint32_t* neighbours,
+                  std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+    for (std::uint32_t n = 0; n < count; ++n) {
+        const FluidState& f = in.fluid[neighbours[n]];
+        const Separation s = separation(w, f.x, f.y);
+        const Pack p_star =
+            wall_p_star<no_slip, shepard>(f.pressure, f.density, -s.x, -s.y, f.vx - w.vx, f.vy - w.vy,
+                                          s.inverse_distance, w.nx, w.ny, w.drive_x, w.drive_y, mean, c);
+        const Pack weight = f.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * p_star;
+        sum.x += weight * s.x;
+        sum.y += weight * s.y;
+    }
+}
+
+/// Force of the fluid on each boundary particle of a body, Eq. (20): minus the forces of its pairs.
+template <bool no_slip>
+void body_forces(const PassInput& in) {
+    const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
+    const double factor = 2 * in.kernel.slope_factor() * in.wall_volume;
+#pragma omp parallel for schedule(static) num_threads(in.threads)
+    for (std::int64_t n = 0; n < cluster_count; ++n) {
+        const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
+        if (cluster.first < in.fixed_walls) continue;
+        const WallLanes w = load(in, cluster);
+        Pack mean;
+        for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
+            mean.lanes[lane] = in.wall_mean[cluster.first + std::min(lane, cluster.count - 1)].pressure;
+        }
+        const std::uint32_t* neighbours = cluster.neighbours;
+        VectorSum sum;
+        for (std::size_t phase = 0; phase < phase_count; ++phase) {
+            const std::uint32_t count = cluster.fluid_neighbours[phase];
+            const auto reaction =
+                in.wall_pressure_mean[phase] ? reaction_sum<no_slip, true> : reaction_sum<no_slip, false>;
+            if (in.loading[phase]) reaction(in, w, mean, neighbours, count, in.wall_pair[phase], sum);
+            neighbours += count;
+        }
+        store(factor * sum.x, in.wall_force_x, cluster);
+        store(factor * sum.y, in.wall_force_y, cluster);
+    }
+}
+
+}  // namespace
+
+Pass body_force_pass(const Model& model) {
+    return model.wall_slip == WallSlip::no ? body_forces<true> : body_forces<false>;
+}
+
+}  // namespace wetdeck::WETDECK_ISA

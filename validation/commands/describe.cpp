@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/commands/describe.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "validation/analytic/curves.hpp"
+#include "validation/metrics/quantities.hpp"
+#include "validation/run/progress.hpp"
+#include "validation/scene/scene.hpp"
+#include "validation/stress/cases.hpp"
+#include "validation/verification/problems.hpp"
+
+namespace wetdeck {
+
+void print_list(bool as_json) {
+    nlohmann::json scenes = nlohmann::json::array();
+    for (const std::string& name : scene_names()) {
+        const Scene scene = read_scene(find_scene(name));
+        nlohmann::json variants = nlohmann::json::array();
+        for (const VariantInfo& v : scene.variants)
+            variants.push_back({{"name", v.name}, {"description", v.description}});
+        scenes.push_back({{"name", name},
+                          {"title", scene.analysis.title},
+                          {"default_variant", scene.variant},
+                          {"variants", variants}});
+    }
+    nlohmann::json problems = nlohmann::json::array();
+    for (const verification::Problem& problem : verification::all_problems())
+        problems.push_back({{"name", problem.name}, {"title", problem.title}, {"quick", problem.quick}});
+    nlohmann::json hard = nlohmann::json::array();
+    for (const stress::Case& member : stress::all_cases()) {
+        nlohmann::json settings = nlohmann::json::array();
+        for (const stress::Setting& setting : member.settings) settings.push_back(setting.name);
+        hard.push_back({{"name", member.name}, {"title", member.title}, {"settings", settings}});
+    }
+    if (as_json) {
+        const nlohmann::json all = {{"scenes", scenes}, {"problems", problems}, {"stress", hard}};
+        fmt::print("{}\n", all.dump(1));
+        return;
+    }
+    fmt::print("Scenes\n");
+    for (const auto& scene : scenes) {
+        fmt::print("  {}  {}\n", scene["name"].get<std::string>(), scene["title"].get<std::string>());
+        for (const auto& v : scene["variants"]) {
+            fmt::print("      {:20} {}\n", v["name"].get<std::string>(), v["description"].get<std::string>());
+        }
+    }
+    fmt::print("Problems with exact solutions (wetdeck verify)\n");
+    for (const auto& problem : problems)
+        fmt::print("  {:20} {}\n", problem["name"].get<std::string>(), problem["title"].get<std::string>());
+    fmt::print("Hard cases (wetdeck stress)\n");
+    for (const auto& member : hard)
+        fmt::print("  {:20} {}\n", member["name"].get<std::string>(), member["title"].get<std::string>());
+}
+
+namespace {
+
+using nlohmann::json;
+
+json material_json(const Material& material) {
+    return {{"density", material.eos.reference_density}, {"sound_speed", material.eos.sound_speed}};
+}
+
+json references_of(const Scene& scene) {
+    json all = json::array();
+    std::set<std::string> shown;
+    for (const ComparisonSpec& c : scene.analysis.comparisons) {
+        if (!shown.insert(c.reference + c.quantity).second) continue;
+        const bool computed = is_analytic(c.reference);
+        const std::filesystem::path file =
+            reference_file(c.reference, scene.analysis.folder, reference_directory() / scene.name());
+        all.push_back({{"series", c.quantity},
+                       {"reference", c.reference},
+                       {"available", computed || std::filesystem::exists(file)},
+                       {"file", computed ? "" : file.string()}});
+    }
+    return all;
+}
+
+/// What every run of the scene records beside its probes.
+json series_of(const Scene& scene) {
+    json all = json::array();
+    const auto add = [&all](const std::vector<SeriesInfo>& list) {
+        for (const SeriesInfo& s : list)
+            all.push_back({{"name", s.name}, {"unit", s.unit}, {"description", s.description}});
+    };
+    add(every_run_series());
+    if (!scene.bodies.empty()) {
+        add(recorded_body_series());
+        add(derived_body_series());
+    }
+    return all;
+}
+
+json costs_of(const Scene& scene, const std::filesystem::path& path) {
+    json all = json::array();
+    for (const auto& [tier, variants] : scene.tiers) {
+        for (const auto& [variant, spacings] : variants) {
+            const Scene varied = read_scene(path, variant);
+            for (const double dx : spacings) {
+                const CostEstimate cost = estimate_cost(varied, dx);
+                all.push_back({{"tier", tier},
+                               {"variant", variant},
+                               {"dx", dx},
+                               {"particles", cost.fluid_particles},
+                               {"steps", cost.steps},
+                               {"core_s", cost.core_seconds}});
+            }
+        }
+    }
+    return all;
+}
+
+json description(const std::string& name) {
+    const std::filesystem::path path = find_scene(name);
+    const Scene scene = read_scene(path);
+    const Vec2 size = scene.tank.high - scene.tank.low;
+    json all = {{"name", scene.name()},
+                {"title", scene.analysis.title},
+                {"purpose", scene.analysis.purpose},
+                {"source", scene.analysis.source},
+                {"file", path.string()},
+                {"tank", {size.x(), size.y()}},
+                {"gravity", {scene.model.gravity.x(), scene.model.gravity.y()}},
+                {"end_time", scene.end_time},
+                {"water", material_json(scene.model.water)},
+                {"background_pressure", scene.model.water.eos.background_pressure},
+                {"bodies", json::array()},
+                {"probes", json::array()},
+                {"deviations", json::array()},
+                {"series", series_of(scene)},
+                {"references", references_of(scene)},
+                {"cost", costs_of(scene, path)}};
+    if (scene.air) {
+        all["air"] = material_json(scene.model.air);
+        all["air"]["substeps"] = air_substeps(scene.model);
+    }
+    for (const BodySpec& body : scene.bodies)
+        all["bodies"].push_back({{"name", body.name},
+                                 {"mass", body.body.mass},
+                                 {"inertia", body.body.inertia},
+                                 {"corners", body.outline.size()}});
+    for (const ProbeSpec& probe : scene.probes)
+        all["probes"].push_back({{"name", probe.name}, {"note", probe.note}});
+    for (const Deviation& d : scene.analysis.deviations)
+        all["deviations"].push_back(
+            {{"item", d.item}, {"source", d.source}, {"used", d.used}, {"reason", d.reason}});
+    return all;
+}
+
+}  // namespace
+
+void print_description(const std::string& name, bool as_json) {
+    const json all = description(name);
+    if (as_json) return fmt::print("{}\n", all.dump(1));
+    const auto text = [](const json& value) { return value.get<std::string>(); };
+    const auto number = [](const json& value) { return value.get<double>(); };
+    fmt::print("{} ({})\n{}\nsource: {}\nfile: {}\n\n", text(all["title"]), text(all["name"]),
+               text(all["purpose"]), text(all["source"]), text(all["file"]));
+    fmt::print("Set-up\n  tank {:.4g} x {:.4g} m, g = ({:.4g}, {:.4g}) m/s2, end at {:.4g} s\n",
+               number(all["tank"][0]), number(all["tank"][1]), number(all["gravity"][0]),
+               number(all["gravity"][1]), number(all["end_time"]));
+    fmt::print("  water {:.4g} kg/m3, sound speed {:.4g} m/s; background pressure {:.4g} Pa\n",
+               number(all["water"]["density"]), number(all["water"]["sound_speed"]),
+               number(all["background_pressure"]));
+    if (all.contains("air")) {
+        fmt::print("  air {:.4g} kg/m3, sound speed {:.4g} m/s; its steps in one of the water: {}\n",
+                   number(all["air"]["density"]), number(all["air"]["sound_speed"]),
+                   all["air"]["substeps"].get<int>());
+    }
+    for (const json& body : all["bodies"])
+        fmt::print("  {} of {} corners, {:.4g} kg/m, {:.4g} kg m about its mass centre\n", text(body["name"]),
+                   body["corners"].get<int>(), number(body["mass"]), number(body["inertia"]));
+    fmt::print("\nProbes\n");
+    for (const json& probe : all["probes"])
+        fmt::print("  {:16} {}\n", text(probe["name"]), text(probe["note"]));
+    fmt::print("\nRecorded in every run (of a second body with _2 behind the name)\n");
+    for (const json& s : all["series"])
+        fmt::print("  {:34} {:7} {}\n", text(s["name"]), text(s["unit"]), text(s["description"]));
+    fmt::print("\nReferences\n");
+    for (const json& c : all["references"]) {
+        fmt::print("  {:16} against {}{}\n", text(c["series"]), text(c["reference"]),
+                   c["available"] ? ""
+                                  : "  (curve not available: put it beside the scene file or at " +
+                                        text(c["file"]) + ")");
+    }
+    fmt::print("\nDeviations from the source\n");
+    for (const json& d : all["deviations"])
+        fmt::print("  {}: {} -> {} ({})\n", text(d["item"]), text(d["source"]), text(d["used"]),
+                   text(d["reason"]));
+    fmt::print("\nCost, estimated for one core with AVX-512\n  {:10} {:14} {:>8} {:>12} {:>10} {:>16}\n",
+               "tier", "variant", "dx [m]", "particles", "steps", "time");
+    for (const json& cost : all["cost"])
+        fmt::print("  {:10} {:14} {:>8.4g} {:>12.0f} {:>10.0f} {:>16}\n", text(cost["tier"]),
+                   text(cost["variant"]), number(cost["dx"]), number(cost["particles"]),
+                   number(cost["steps"]), duration_text(number(cost["core_s"])));
+}
+
+}  // namespace wetdeck

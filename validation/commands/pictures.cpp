@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/commands/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "validation/store/fields.hpp"
+#include "validation/store/raster.hpp"
+
+namespace wetdeck {
+namespace {
+
+std::vector<std::string> colours(Rgb (*map)(double)) {
+    constexpr int count = 24;
+    std::vector<std::string> result;
+    for (int k = 0; k < count; ++k) {
+        const Rgb c = map(static_cast<double>(k) / (count - 1));
+        result.push_back(fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]));
+    }
+    return result;
+}
+
+/// Seconds per unit of T if all comparisons agree on one.
+std::optional<double> time_scale(const AnalysisSpec& analysis) {
+    if (analysis.comparisons.empty()) return std::nullopt;
+    const double scale = analysis.comparisons.front().x_scale;
+    const bool one =
+        std::all_of(analysis.comparisons.begin(), analysis.comparisons.end(),
+                    [scale](const ComparisonSpec& c) { return c.x_scale == scale && c.x_offset == 0; });
+    return one && scale != 1 && scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
+/// Frames nearest to the scene's picture times (those further away than 2 % of the run are left out); of the
+/// default variant further ones, evenly spread, up to a dozen: enough to step through.
+std::vector<const FrameEntry*> shown_frames(const Scene& scene, const RunRecord& record,
+                                            const std::vector<FrameEntry>& frames) {
+    constexpr std::size_t enough = 12;
+    std::map<double, const FrameEntry*> shown;
+    const auto take = [&](double time) {
+        const FrameEntry* nearest = nullptr;
+        for (const FrameEntry& frame : frames) {
+            if (!nearest || std::abs(frame.time - time) < std::abs(nearest->time - time)) nearest = &frame;
+        }
+        if (nearest && std::abs(nearest->time - time) <= 0.02 * scene.end_time)
+            shown.emplace(nearest->time, nearest);
+    };
+    for (const double time : scene.picture_times) take(time);
+    if (record.variant == scene.analysis.default_variant) {
+        for (std::size_t k = 1; k <= enough && shown.size() < enough; ++k)
+            take(scene.end_time * static_cast<double>(k) / enough);
+    }
+    std::vector<const FrameEntry*> in_order;
+    for (const auto& entry : shown) in_order.push_back(entry.second);
+    return in_order;
+}
+
+}  // namespace
+
+std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
+                                            const std::filesystem::path& run_directory) {
+    std::vector<report::Picture> pictures;
+    const std::vector<FrameEntry> frames = list_frames(run_directory);
+    const double head = std::abs(scene.model.gravity.y()) * scene.initial.surface;  // [m^2/s^2]
+    RasterOptions options;
+    options.width = 600;
+    options.x_min = scene.tank.low.x();
+    options.x_max = scene.tank.high.x();
+    options.y_min = scene.tank.low.y();
+    options.y_max = scene.tank.high.y();
+    options.particle_radius = 0.75 * record.particle_spacing;
+    // of a body that hits the water the colours must reach its impact, else the slam is one colour
+    double fastest = 0;
+    for (const BodySpec& spec : scene.bodies) fastest = std::max(fastest, spec.body.velocity.norm());
+    options.water_max = scene.model.water.eos.reference_density * (head + fastest * fastest);
+    const bool air = record.choices.count("air") && record.choices.at("air") == "yes";
+    if (air) options.air_speed_max = 4 * std::sqrt(head);
+    const std::optional<double> scale = time_scale(scene.analysis);
+    for (const FrameEntry* nearest : shown_frames(scene, record, frames)) {
+        report::Picture picture;
+        picture.title =
+            fmt::format("{}, {}, dx {:.4g} m", scene.analysis.title, record.variant, record.particle_spacing);
+        picture.time = nearest->time;
+        if (scale) picture.scaled_time = nearest->time / *scale;
+        picture.png = render_png(read_frame(nearest->path), options);
+        picture.colour_bars.push_back(
+            {"gauge pressure in the water", "Pa", 0, options.water_max, colours(water_colour)});
+        if (air)
+            picture.colour_bars.push_back(
+                {"speed of the air", "m/s", 0, *options.air_speed_max, colours(air_colour)});
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/run/assemble.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "solver/core/errors.hpp"
+#include "solver/probes/energy.hpp"
+#include "solver/probes/front.hpp"
+#include "solver/probes/pressure.hpp"
+#include "solver/setup/initial_pressure.hpp"
+#include "solver/setup/lattice.hpp"
+
+namespace wetdeck {
+namespace {
+
+/// The spacing nearest to this one, finer or coarser, that fits every box of the scene and divides one of
+/// their sides; nothing within a factor of two.
+std::optional<double> nearest_fitting(const std::vector<Box>& boxes, double particle_spacing, bool finer) {
+    std::vector<double> sides;
+    for (const Box& box : boxes)
+        sides.insert(sides.end(), {(box.high - box.low).x(), (box.high - box.low).y()});
+    std::optional<double> nearest;
+    for (const double side : sides) {
+        double count = std::floor(side / particle_spacing) + (finer ? 1 : 0);
+        for (int tried = 0; tried < 10'000 && count >= 1; ++tried, count += finer ? 1 : -1) {
+            const double spacing = side / count;
+            if (spacing < 0.5 * particle_spacing || spacing > 2 * particle_spacing) break;
+            const auto fits = [spacing](double length) { return spacing_fits(length, spacing); };
+            if (!std::all_of(sides.begin(), sides.end(), fits)) continue;
+            if (!nearest || std::abs(spacing - particle_spacing) < std::abs(*nearest - particle_spacing))
+                nearest = spacing;
+            break;
+        }
+    }
+    return nearest;
+}
+
+/// "; the nearest that fit all boxes: 0.025 and 0.02 m", or what there is of it.
+std::string fitting_text(const Scene& scene, double particle_spacing) {
+    std::vector<Box> boxes = scene.water_boxes;
+    if (scene.air) boxes.insert(boxes.end(), scene.air_boxes.begin(), scene.air_boxes.end());
+    std::vector<std::string> found;
+    for (const bool finer : {false, true}) {
+        if (const auto spacing = nearest_fitting(boxes, particle_spacing, finer))
+            found.push_back(fmt::format("{:.6g}", *spacing));
+    }
+    if (found.empty()) return "; none between half and twice that fits all boxes";
+    return fmt::format("; the nearest that fit all boxes: {} m", fmt::join(found, " and "));
+}
+
+FluidParticles fill(const Scene& scene, double particle_spacing) {
+    FluidParticles fluid;
+    const Model& model = scene.model;
+    try {
+        for (const Box& box : scene.water_boxes)
+            fill_box(fluid, Phase::water, box, particle_spacing, model.water.eos.reference_density);
+        if (scene.air) {
+            for (const Box& box : scene.air_boxes)
+                fill_box(fluid, Phase::air, box, particle_spacing, model.air.eos.reference_density);
+        }
+    } catch (const InputError& error) {
+        throw InputError(error.what() + fitting_text(scene, particle_spacing));
+    }
+    for (const BodySpec& body : scene.bodies) clear_fluid(fluid, body.outline, particle_spacing);
+    return fluid;
+}
+
+WallParticles boundary(const Scene& scene, double particle_spacing) {
+    const double support = 2 * scene.model.smoothing_ratio * particle_spacing;
+    WallParticles walls = tank_walls(scene.tank, particle_spacing, support);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const BodySpec& spec = scene.bodies[b];
+        try {
+            add_body_particles(walls, static_cast<std::uint32_t>(b), spec.outline, spec.body.position,
+                               particle_spacing, support);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", spec.name, error.what()));
+        }
+    }
+    return walls;
+}
+
+/// Gauge pressure at the start: the air weighs on the water, the water stands as the scene says.
+double initial_gauge_pressure(const Scene& scene, Phase phase, Vec2 position) {
+    const double g = -scene.model.gravity.y();
+    const InitialPressure& initial = scene.initial;
+    const double air_density = scene.air ? scene.model.air.eos.reference_density : 0;
+    if (phase == Phase::air) return air_density * g * (scene.tank.high.y() - position.y());
+    const double on_surface = air_density * g * (scene.tank.high.y() - initial.surface);
+    const double density = scene.model.water.eos.reference_density;
+    if (initial.law == InitialPressure::Law::greco) {
+        return on_surface + greco_pressure(density, g, initial.surface, initial.released_face - position.x(),
+                                           position.y());
+    }
+    return on_surface + density * g * (initial.surface - position.y());
+}
+
+}  // namespace
+
+Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
+    Model model = scene.model;
+    model.threads = threads;
+    FluidParticles fluid = fill(scene, particle_spacing);
+    set_initial_pressure(fluid, model, [&](Phase phase, Vec2 position) {
+        return initial_gauge_pressure(scene, phase, position);
+    });
+    std::vector<RigidBody> bodies;
+    for (const BodySpec& spec : scene.bodies) bodies.push_back(spec.body);
+    return {model, std::move(fluid), boundary(scene, particle_spacing), particle_spacing, scene.tank, bodies};
+}
+
+void check_spacing(const Scene& scene, double particle_spacing) {
+    constexpr double most_particles = 5e7;
+    if (!(particle_spacing > 0) || !std::isfinite(particle_spacing)) {
+        throw InputError(fmt::format("--dx is {}, expected a positive spacing [m]", particle_spacing));
+    }
+    const double particles =
+        (scene.tank.high - scene.tank.low).prod() / (particle_spacing * particle_spacing);
+    if (particles > most_particles) {
+        throw InputError(
+            fmt::format("particle spacing {} m would make {:.2g} particles, expected at most {:.2g}",
+                        particle_spacing, particles, most_particles));
+    }
+    fill(scene, particle_spacing);
+    boundary(scene, particle_spacing);
+    Recorders(scene, particle_spacing);
+}
+
+void check_row(const Scene& scene, const std::string& tier, double particle_spacing) {
+    try {
+        check_spacing(scene, particle_spacing);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: key 'tiers.{}.{}': {} m: {}", scene.path, tier, scene.variant,
+                                     particle_spacing, error.what()));
+    }
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <chrono>
+#include <ctime>
+
+#include "solver/core/errors.hpp"
+#include "validation/metrics/quantities.hpp"
+#include "validation/run/assemble.hpp"
+#include "validation/run/field_frame.hpp"
+#include "validation/run/run_state.hpp"
+#include "validation/run/series_keeper.hpp"
+#include "validation/run/stop_signal.hpp"
+#include "validation/run/watchdog.hpp"
+#include "validation/store/provenance.hpp"
+#include "validation/store/run_directory.hpp"
+#include "validation/store/run_store.hpp"
+
+namespace wetdeck {
+namespace {
+
+double processor_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+void record_parameters(RunRecord& record, const Scene& scene, const Simulation& simulation) {
+    const Model& m = simulation.model();
+    auto& p = record.parameters;
+    p["particle_spacing"] = record.particle_spacing;
+    p["smoothing_length"] = simulation.kernel().smoothing_length;
+    p["gravity_x"] = m.gravity.x();
+    p["gravity_y"] = m.gravity.y();
+    p["water.density"] = m.water.eos.reference_density;
+    p["water.sound_speed"] = m.water.eos.sound_speed;
+    p["water.exponent"] = m.water.eos.exponent;
+    p["water.viscosity"] = m.water.viscosity;
+    if (scene.air) {
+        p["air.density"] = m.air.eos.reference_density;
+        p["air.sound_speed"] = m.air.eos.sound_speed;
+        p["air.exponent"] = m.air.eos.exponent;
+        p["air.viscosity"] = m.air.viscosity;
+    }
+    if (scene.air) p["model.air_substeps"] = simulation.model().air_substeps;
+    p["model.background_pressure"] = m.water.eos.background_pressure;
+    p["model.pressure_diffusion"] = m.pressure_diffusion;
+    p["model.dissipation_slope"] = m.dissipation_slope;
+    p["model.air_dissipation"] = m.air_dissipation;
+    p["model.wall_dissipation"] = m.wall_dissipation;
+    p["model.full_cover"] = m.full_cover;
+    p["model.smoothing_ratio"] = m.smoothing_ratio;
+    p["model.courant_number"] = m.courant_number;
+    p["model.skin"] = m.skin;
+    p["run.end_time"] = scene.end_time;
+    record.choices["resolved_scene"] = scene.resolved;
+    record.choices["air"] = scene.air ? "yes" : "no";
+}
+
+void record_cost(RunRecord& record, const Simulation& simulation) {
+    RunCost& cost = record.cost;
+    cost.steps = simulation.steps();
+    cost.particle_steps = static_cast<double>(simulation.particle_steps());
+    cost.peak_rss_mb = peak_rss_mb();
+    const StageTimes& s = simulation.stage_times();
+    cost.stage_seconds = {{"neighbours", s.neighbours},  {"density", s.density},
+                          {"momentum", s.momentum},      {"walls", s.walls},
+                          {"bodies", s.bodies},          {"integration", s.integration},
+                          {"probes and files", s.probes}};
+    for (std::size_t k = 0; k < limiting_criterion_names.size(); ++k) {
+        cost.limiting_criterion[limiting_criterion_names[k]] = simulation.limiting_counts()[k];
+    }
+    record.parameters["neighbour_list_builds"] = static_cast<double>(simulation.list_builds());
+    record.parameters["bytes_per_particle"] = simulation.bytes_per_particle();
+}
+
+/// Who computes: with another program or instruction set the last digits may differ.
+std::string computed_by(const Provenance& p) {
+    return fmt::format("wetdeck {} {}, {}, {}", p.program_version, p.commit, p.compiler, p.simd);
+}
+
+/// The frames written up to the checkpoint must still be there: they would be missing in the end.
+void check_frames(const std::filesystem::path& run_dir, const Checkpoint& from, double time) {
+    double found = 0;
+    for (const FrameEntry& frame : list_frames(run_dir))
+        if (frame.time <= time && std::filesystem::exists(frame.path)) ++found;
+    if (found != from.number("frames"))
+        throw DataError(fmt::format("{} of {} field files written before the checkpoint are there", found,
+                                    from.number("frames")));
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// What a checkpoint that is of no use means to a user.
+DataError with_way_out(const DataError& error, const std::filesystem::path& run_dir) {
+    return DataError(fmt::format("{}; start the run again: wetdeck run ... --replace --out {}", error.what(),
+                                 run_dir.string()));
+}
+
+/// One run in a directory that is claimed, from its start or from a checkpoint.
+class Run {
+  public:
+    Run(const Scene& scene, const RunOptions& options, double end, const Checkpoint* from)
+        : scene_(scene),
+          options_(options),
+          end_(end),
+          simulation_(assemble(scene, options.particle_spacing, options.threads)),
+          provenance_(collect_provenance(simulation_.instruction_set(),
+                                         static_cast<unsigned>(simulation_.threads()))),
+          clock_(options.checkpoint_interval),
+          keeper_(scene, options.particle_spacing, options.directory, from) {
+        if (from) {
+            go_on(*from);
+        } else {
+            fields_.emplace(options.directory);
+        }
+    }
+
+    RunRecord run(Progress& progress) {
+        RunRecord record = describe();
+        const auto observe = [&](const Simulation&) { this->observe(progress); };
+        if (const std::optional<Instability> trouble = simulation_.run(end_, observe, watch_bodies(scene_))) {
+            record.status = RunStatus::unstable;
+            record.stop_reason = trouble->describe();
+            if (fields_->frames().empty() || last_good_.time > fields_->frames().back().time)
+                fields_->write(last_good_);
+        }
+        record.series = keeper_.series();
+        record.cost.wall_s = wall_before_ + seconds_since(start_);
+        record.cost.core_s = core_before_ + processor_seconds() - processor_start_;
+        record_cost(record, simulation_);
+        return record;
+    }
+
+  private:
+    void go_on(const Checkpoint& from) {
+        restore_simulation(from, simulation_);
+        check_frames(options_.directory, from, simulation_.time());
+        fields_.emplace(options_.directory, simulation_.time());
+        next_frame_ = static_cast<std::size_t>(from.number("next_frame"));
+        last_good_ = frame_in(from).x.empty() ? frame_of(simulation_, line()) : frame_in(from);
+        last_good_.provenance = line();
+        wall_before_ = from.number("wall_s");
+        core_before_ = from.number("core_s");
+        if (from.text("computed_by") != computed_by(provenance_))
+            fmt::print(stderr, "wetdeck: the run was begun by {}: the last digits may differ\n",
+                       from.text("computed_by"));
+        provenance_.start_time = from.text("start_time");
+        fmt::print("going on from t = {:.4g} s, step {}\n", simulation_.time(), simulation_.steps());
+        clock_.restart(0);
+    }
+
+    RunRecord describe() const {
+        RunRecord record;
+        record.scene = scene_.name();
+        record.variant = scene_.variant;
+        record.particle_spacing = options_.particle_spacing;
+        record.fluid_particles = simulation_.fluid().size();
+        record.particles = simulation_.fluid().size() + simulation_.walls().size();
+        record.scene_text = scene_.text;
+        record.scene_path = scene_.path;
+        provenance_.add_to(record.choices);
+        record_parameters(record, scene_, simulation_);
+        if (end_ < scene_.end_time) record.parameters["run.until"] = end_;
+        record.choices["reference_hashes"] =
+            reference_hashes(scene_.analysis, reference_directory() / scene_.name());
+        if (!scene_.overrides.empty())
+            record.choices["overrides"] = fmt::format("{}", fmt::join(scene_.overrides, "; "));
+        return record;
+    }
+
+    /// For the field files, which hold no more.
+    std::string line() const {
+        return fmt::format("{} {} dx {}: {}", scene_.name(), scene_.variant, options_.particle_spacing,
+                           provenance_.line());
+    }
+
+    void observe(Progress& progress) {
+        const Simulation& s = simulation_;
+        keeper_.observe(s, s.time() >= end_);
+        if (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_]) {
+            while (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_])
+                ++next_frame_;
+            fields_->write(frame_of(s, line()));
+        }
+        // what an unstable run leaves behind; more often while the run is young
+        const auto substeps = static_cast<std::uint64_t>(s.model().air_substeps);
+        const std::uint64_t steps_between = std::max<std::uint64_t>(4, 256 / std::bit_ceil(substeps));
+        const bool good =
+            s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()));
+        if (good) last_good_ = frame_of(s, line());
+        if (s.steps() % (steps_between / 4) == 0)
+            progress.update(s.time() / end_,
+                            fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end_, s.steps()));
+        const int signal = s.time() < end_ ? stop_signal() : 0;
+        if (signal != 0 || (good && clock_.due())) write_state();
+        if (signal != 0)
+            throw Interrupted(signal, fmt::format(" at t = {:.4g} of {:.4g} s; go on with: wetdeck resume {}",
+                                                  s.time(), end_, options_.directory.string()));
+    }
+
+    void write_state() {
+        const auto start = std::chrono::steady_clock::now();
+        Checkpoint checkpoint;
+        checkpoint.step = simulation_.steps();
+        save_request(checkpoint, scene_, options_);
+        save_simulation(checkpoint, simulation_);
+        keeper_.save(checkpoint);
+        save_frame(checkpoint, last_good_.time < simulation_.time() ? last_good_ : FieldFrame{});
+        checkpoint.numbers["frames"] = static_cast<double>(fields_->frames().size());
+        checkpoint.numbers["next_frame"] = static_cast<double>(next_frame_);
+        checkpoint.numbers["wall_s"] = wall_before_ + seconds_since(start_);
+        checkpoint.numbers["core_s"] = core_before_ + processor_seconds() - processor_start_;
+        checkpoint.texts["computed_by"] = computed_by(provenance_);
+        checkpoint.texts["start_time"] = provenance_.start_time;
+        write_checkpoint(options_.directory, checkpoint);
+        clock_.restart(seconds_since(start));
+    }
+
+    const Scene& scene_;
+    const RunOptions& options_;
+    double end_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double processor_start_ = processor_seconds();
+    double wall_before_ = 0, core_before_ = 0;  ///< of the processes that ran up to the checkpoint
+    Simulation simulation_;
+    Provenance provenance_;
+    CheckpointClock clock_;
+    SeriesKeeper keeper_;
+    std::optional<FieldWriter> fields_;
+    std::size_t next_frame_ = 0;
+    FieldFrame last_good_;
+};
+
+}  // namespace
+
+std::string identity_of(const Scene& scene, const RunOptions& options) {
+    return run_identity(
+        scene.name(), scene.variant, options.particle_spacing,
+        fmt::format("{}\nuntil = {}", scene.resolved, options.until.value_or(scene.end_time)));
+}
+
+RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress) {
+    check_spacing(scene, options.particle_spacing);
+    const double end = options.until.value_or(scene.end_time);
+    if (!(end > 0)) throw InputError(fmt::format("--until is {}, expected a positive time [s]", end));
+    const std::filesystem::path& folder = options.directory;
+    constexpr std::chrono::seconds patience(
+        5);  // with a run that a signal has just stopped: it stores itself
+    const RunDirectory directory(folder, identity_of(scene, options),
+                                 options.replace ? OnConflict::replace : OnConflict::refuse, patience);
+    RunRecord record;
+    try {
+        const std::optional<Checkpoint> from = newest_checkpoint(folder);
+        if (from) remove_checkpoints_after(folder, from->step);
+        record = Run(scene, options, end, from ? &*from : nullptr).run(progress);
+        write_run(folder, record);
+    } catch (const DataError& error) {
+        throw with_way_out(error, folder);
+    } catch (const EnvironmentError& error) {
+        if (list_checkpoints(folder).empty()) throw;
+        throw EnvironmentError(fmt::format("{}; when that is mended go on with: wetdeck resume {}",
+                                           error.what(), folder.string()));
+    }
+    std::error_code ignored;
+    std::filesystem::remove(live_file(folder), ignored);
+    remove_checkpoints(folder);
+    return record;
+}
+
+std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory) {
+    std::pair<Scene, RunOptions> run;
+    try {
+        const std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
+        if (!checkpoint)
+            throw DataError(fmt::format("{}: holds no checkpoint to go on from", directory.string()));
+        run = {scene_in(*checkpoint), options_in(*checkpoint)};
+        run.second.directory = directory;
+        if (identity_in(directory) != identity_of(run.first, run.second))
+            throw DataError(fmt::format("{}: the checkpoint belongs to another run than the directory ({})",
+                                        directory.string(), identity_in(directory).value_or("no identity")));
+    } catch (const DataError& error) {
+        throw with_way_out(error, directory);
+    }
+    return run;
+}
+
+}  // namespace wetdeck

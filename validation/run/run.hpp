@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run of a scene: from its file to run.h5 and the fields beside it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "validation/run/progress.hpp"
+#include "validation/scene/scene.hpp"
+#include "validation/store/run_record.hpp"
+
+namespace wetdeck {
+
+struct RunOptions {
+    std::filesystem::path directory;
+    double particle_spacing = 0;      ///< [m]
+    std::optional<double> until;      ///< stop time [s], the scene's if absent
+    int threads = 0;                  ///< 0: all
+    bool replace = false;             ///< replace another run that the directory holds
+    double checkpoint_interval = 10;  ///< wall seconds; further apart where that would cost more than 1 %
+};
+
+/// Runs and stores. A run that becomes unstable is stored too, with status and reason, its series and its
+/// last good fields. Where the directory holds a checkpoint of the same run it goes on from there, and ends
+/// with the same bits. Throws InputError (bad scene, spacing, directory in use), EnvironmentError (disk
+/// full, no permission) and, when a signal came and its checkpoint is written, Interrupted.
+RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress);
+
+/// The scene and options of the interrupted run in a directory. Throws DataError where it holds no checkpoint
+/// that can be read.
+std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory);
+
+/// What identifies the run that these options ask for.
+std::string identity_of(const Scene& scene, const RunOptions& options);
+
+}  // namespace wetdeck
