@@ -106,7 +106,7 @@ std::string header_markup(const Summary& summary, const ReportInputs& inputs, co
         ended.take(run.record.status == RunStatus::ok);
         for (const QuantityResult& q : run.quantities) quantities.take(q.within);
         for (const ComparisonResult& c : run.comparisons) {
-            (c.kind == "peer-simulation" ? peers : references).take(verdict_of(c));
+            (c.kind == ReferenceKind::peer_simulation ? peers : references).take(verdict_of(c));
         }
     }
     Tally claims;

@@ -78,6 +78,6 @@ std::string uncertainty_text(const ComparisonResult& comparison);
 std::optional<double> particle_rate(const RunCost& cost);
 
 /// "measurements", "other simulations ...", ... as written for readers.
-std::string kind_name(const std::string& kind);
+std::string kind_name(std::optional<ReferenceKind> kind);
 
 }  // namespace wetdeck::report

@@ -64,9 +64,9 @@ Peers pressures_of(const RunSummary& run) {
         const auto series = run.record.series.find(c.quantity);
         const bool pressure = series != run.record.series.end() && series->second.unit == "Pa";
         if (!pressure || !c.available || !c.window) continue;
-        if (c.kind == "experiment") {
+        if (c.kind == ReferenceKind::experiment) {
             add_once(peers.measured, reference_name(c.title, c.reference), c.measured, *c.window);
-        } else if (c.kind == "peer-simulation") {
+        } else if (c.kind == ReferenceKind::peer_simulation) {
             add_once(peers.simulated, c.title, c.measured, *c.window);
         } else {
             continue;

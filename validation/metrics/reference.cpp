@@ -21,7 +21,6 @@ namespace wetdeck {
 namespace {
 
 constexpr std::uintmax_t largest_file = 20'000'000;
-constexpr std::array kinds{"experiment", "peer-simulation", "analytic", "stated"};
 constexpr std::array origins{"tabulated", "digitised", "computed", "stated"};
 constexpr std::array units{"-",   "m",     "s",   "Pa",    "N",  "N/m",  "N s/m", "J/m",
                            "m/s", "m/s^2", "rad", "rad/s", "Hz", "kg/m", "kg/m^3"};
@@ -139,7 +138,7 @@ class Reader {
         if (!is_utf8(line_)) fail("not UTF-8 text");
         if (value.empty()) fail(fmt::format("key '{}' has no value", key));
         if (!reference_.keys.emplace(key, value).second) fail(fmt::format("key '{}' is given twice", key));
-        if (key == "kind") check_word(key, value, kinds);
+        if (key == "kind") check_word(key, value, reference_kind_names());
         if (key == "obtained") check_word(key, value, origins);
         if (key == "date" && !is_date(value)) fail(fmt::format("date is '{}', expected YYYY-MM-DD", value));
         if (key == "u_data" && value != "unknown") {
@@ -163,7 +162,7 @@ class Reader {
         if (!missing.empty())
             fail(fmt::format("missing key{} '{}', expected '# {}: ...'", missing.size() > 1 ? "s" : "",
                              fmt::join(missing, "', '"), missing.front()));
-        reference_.kind = reference_.keys.at("kind");
+        reference_.kind = *reference_kind_named(reference_.keys.at("kind"));
         reference_.citation = reference_.keys.at("citation");
     }
 
