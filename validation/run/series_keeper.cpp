@@ -50,8 +50,7 @@ void SeriesKeeper::observe(const Simulation& simulation, bool last) {
     if (simulation.time() < next_ && !last) return;
     if (!times_.empty() && simulation.time() <= times_.back()) return;
     while (next_ <= simulation.time()) next_ += interval_;
-    constexpr std::size_t samples_per_audit = 16;
-    recorders_.sample(simulation, times_.size() % samples_per_audit == 0, values_);
+    recorders_.sample(simulation, times_.size(), values_);
     live_.append(simulation.time(), values_);
     times_.push_back(simulation.time());
     auto next = values_.begin();

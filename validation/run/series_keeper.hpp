@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "validation/run/assemble.hpp"
+#include "validation/run/recorders.hpp"
 #include "validation/store/checkpoint.hpp"
 #include "validation/store/live_series.hpp"
 

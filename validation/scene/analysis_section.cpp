@@ -113,11 +113,13 @@ void read_analysis(const TomlTable& root, Scene& scene) {
         for (const std::string& name : table->keys()) scales[name] = table->positive(name);
     }
     std::vector<std::string> series;
-    for (const ProbeSpec& probe : scene.probes) series.push_back(probe.name);
-    for (const SeriesInfo& info : every_run_series()) series.push_back(info.name);
+    for (const Probe& probe : scene.probes) series.push_back(probe.series.name);
+    for (const FluidSeries& each : every_run_series()) series.push_back(each.info.name);
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-        for (const auto& all : {recorded_body_series(), derived_body_series()})
-            for (const SeriesInfo& info : all) series.push_back(body_series_name(info.name, body));
+        for (const BodySeries& each : recorded_body_series())
+            series.push_back(body_series_name(each.info.name, body));
+        for (const DerivedSeries& each : derived_body_series())
+            series.push_back(body_series_name(each.info.name, body));
     }
     AnalysisSpec& analysis = scene.analysis;
     std::set<std::string> names;

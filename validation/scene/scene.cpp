@@ -172,55 +172,6 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
 
 }  // namespace
 
-const std::vector<SeriesInfo>& every_run_series() {
-    static const std::vector<SeriesInfo> series = {
-        {"energy_kinetic", "J/m", "kinetic energy of all fluid"},
-        {"energy_potential", "J/m", "potential energy of all fluid, zero at the tank's corner"},
-        {"energy_compression", "J/m", "elastic energy of all fluid against its reference density"},
-        {"momentum_x", "N s/m", "momentum of all fluid along x"},
-        {"momentum_y", "N s/m", "momentum of all fluid along y"},
-        {"mass", "kg/m", "mass of all fluid"},
-        {"density_error_max", "-", "largest |rho/rho0 - 1| of the water"},
-        {"particles_outside", "-", "fluid particles beyond the tank's faces"},
-        {"time_step", "s", "stable time step of the water"},
-        {"momentum_error", "-",
-         "forces on all fluid less gravity and less the reactions on walls and bodies, over the sum of their "
-         "sizes; "
-         "at every 16th sample"}};
-    return series;
-}
-
-const std::vector<SeriesInfo>& recorded_body_series() {
-    static const std::vector<SeriesInfo> series = {
-        {"body_x", "m", "mass centre"},
-        {"body_y", "m", "mass centre"},
-        {"body_angle", "rad", "counter-clockwise"},
-        {"body_velocity_x", "m/s", "of the mass centre"},
-        {"body_velocity_y", "m/s", "of the mass centre, up"},
-        {"body_angular_velocity", "rad/s", "counter-clockwise"},
-        {"body_impulse_x", "N s/m", "time integral of the fluid's force since the start"},
-        {"body_impulse_y", "N s/m", "time integral of the fluid's force since the start, up"},
-        {"body_angular_impulse", "N s", "time integral of the fluid's torque about the mass centre"},
-        {"body_work", "J/m", "work of the fluid on the body since the start"}};
-    return series;
-}
-
-const std::vector<SeriesInfo>& derived_body_series() {
-    static const std::vector<SeriesInfo> series = {
-        {"body_force_x", "N/m", "force of the fluid"},
-        {"body_force_y", "N/m", "force of the fluid, without weight, up"},
-        {"body_torque", "N", "torque of the fluid about the mass centre"},
-        {"body_acceleration_x", "m/s^2", "of the mass centre"},
-        {"body_acceleration_y", "m/s^2", "of the mass centre, up"},
-        {"body_force_y_filtered", "N/m", "force of the fluid, up"},
-        {"body_acceleration_y_filtered", "m/s^2", "of the mass centre, up"}};
-    return series;
-}
-
-std::string body_series_name(const std::string& name, std::size_t body) {
-    return body == 0 ? name : fmt::format("{}_{}", name, body + 1);
-}
-
 Scene parse_scene(const std::string& text, const std::string& path, const std::optional<std::string>& variant,
                   const std::vector<std::string>& overrides) {
     Scene scene = read_document(TomlDocument(text, path), variant, overrides, path);
