@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "reports/figure.hpp"
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck::report {
 namespace {
@@ -146,12 +145,6 @@ Outcome run(const std::string& command) {
     return outcome;
 }
 
-std::string read_file(const std::filesystem::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw EnvironmentError(path.string() + ": gnuplot drew nothing");
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string last_line(std::string words) {
     while (!words.empty() && words.back() == '\n') words.pop_back();
     return words.substr(words.find_last_of('\n') + 1);
@@ -232,7 +225,9 @@ std::string write_svg(const Figure& figure, const std::filesystem::path& path) {
                         WIFEXITED(outcome.status) ? WEXITSTATUS(outcome.status) : outcome.status,
                         last_line(outcome.words)));
     }
-    std::string drawn = smaller_svg(read_file(drawing));
+    if (!std::filesystem::exists(drawing))
+        throw EnvironmentError(drawing.string() + ": gnuplot drew nothing");
+    std::string drawn = smaller_svg(read_whole_file(drawing));
     std::filesystem::remove(drawing, ignored);
     // The drawing is seen on machines that lack the font.
     static const std::string family = "font-family=\"DejaVu Sans";

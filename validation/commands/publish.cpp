@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "reports/html.hpp"
 #include "reports/selection.hpp"
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
 namespace {
@@ -143,10 +142,8 @@ void publish(const Summary& summary, const fs::path& directory, const fs::path& 
     std::set<std::string> figures;
     for (const auto& entry : fs::directory_iterator(directory / "figures")) {
         if (!chosen(entry.path().stem().string())) continue;
-        std::ifstream in(entry.path(), std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(in), {}};
         const std::string name = entry.path().filename().string();
-        atomic_write(folder / name, bytes);
+        atomic_write(folder / name, read_whole_file(entry.path()));
         figures.insert(name);
     }
     for (const auto& entry : fs::directory_iterator(folder)) {

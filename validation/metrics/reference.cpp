@@ -9,13 +9,13 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "solver/core/errors.hpp"
+#include "validation/store/fnv1a.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
 namespace {
@@ -64,9 +64,7 @@ bool is_date(std::string_view text) {
 }
 
 std::string hash_of(std::string_view bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, 64 bits
-    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-    return fmt::format("fnv1a64:{:016x}", hash);
+    return fmt::format("fnv1a64:{:016x}", fnv1a::of_bytes(bytes));
 }
 
 std::string file_text(const std::filesystem::path& path) {
@@ -81,12 +79,7 @@ std::string file_text(const std::filesystem::path& path) {
         throw DataError(
             fmt::format("{}: {} bytes, a reference file may have {}", path.string(), size, largest_file));
     }
-    std::ifstream stream(path, std::ios::binary);
-    std::string text(error ? 0 : size, '\0');
-    if (error || !stream.read(text.data(), static_cast<std::streamsize>(text.size()))) {
-        throw DataError(fmt::format("{}: cannot be read", path.string()));
-    }
-    return text;
+    return read_whole_file(path);
 }
 
 /// Goes through the lines of one file; every complaint carries the file and the line.

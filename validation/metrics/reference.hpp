@@ -36,7 +36,7 @@ struct Reference {
 };
 
 /// Reads and checks a reference file of at most 20 MB. Throws DataError, "file:line: what was found, what was
-/// expected".
+/// expected", and EnvironmentError if the file may not be read.
 Reference load_reference(const std::filesystem::path& path);
 
 /// The same of a text in that format which comes from somewhere else; `name` stands for the file in messages

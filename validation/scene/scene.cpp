@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include "solver/core/errors.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/sections.hpp"
 #include "validation/scene/toml_reader.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
 namespace {
@@ -22,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_scene_file = 1'000'000;  // [bytes]
 
-std::string read_file(const fs::path& path) {
+std::string scene_text(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error))
         throw InputError(fmt::format("{}: no such scene file", path.string()));
@@ -30,11 +29,7 @@ std::string read_file(const fs::path& path) {
         throw InputError(
             fmt::format("{}: larger than {} bytes, not a scene file", path.string(), largest_scene_file));
     }
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) throw EnvironmentError(fmt::format("{}: cannot be read", path.string()));
-    return text.str();
+    return read_whole_file(path);
 }
 
 /// @param taken  boxes that are filled already
@@ -184,7 +179,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::o
 
 Scene read_scene(const fs::path& path, const std::optional<std::string>& variant,
                  const std::vector<std::string>& overrides) {
-    const std::string text = with_outlines(read_file(path), path);
+    const std::string text = with_outlines(scene_text(path), path);
     Scene scene = parse_scene(text, path.string(), variant, overrides);
     scene.path = fs::absolute(path).lexically_normal().string();  // a report may be made from anywhere
     scene.analysis.folder = fs::path(scene.path).parent_path();

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "validation/metrics/quantities.hpp"
 #include "validation/metrics/resample.hpp"
+#include "validation/store/whole_file.hpp"
 
 using namespace wetdeck;
 
@@ -86,15 +85,13 @@ TEST_CASE("A quantity takes any metric that has a row and a function", "[metric]
 }
 
 TEST_CASE("The list of metrics in the documentation is that of the table", "[metric]") {
-    std::ifstream file(std::string(WETDECK_SOURCE_DIR) + "/validation/README.md");
-    std::stringstream text;
-    text << file.rdbuf();
+    const std::string text = read_whole_file(std::string(WETDECK_SOURCE_DIR) + "/validation/README.md");
     for (const Metric& metric : metrics()) {
         std::string needs;
         if (metric.needs.threshold) needs = "`threshold`";
         if (metric.needs.reference) needs = "`reference`, `y_column`, `window`";
         const std::string row =
             "| `" + std::string(metric.name) + "` | " + metric.meaning + " | " + needs + " |\n";
-        CHECK_THAT(text.str(), Catch::Contains(row));
+        CHECK_THAT(text, Catch::Contains(row));
     }
 }

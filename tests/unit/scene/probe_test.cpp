@@ -7,14 +7,13 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "tests/unit/scene/scene_samples.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/recorders.hpp"
+#include "validation/store/whole_file.hpp"
 
 using namespace wetdeck;
 using namespace wetdeck::samples;
@@ -115,14 +114,12 @@ TEST_CASE("the recorders sample probes, bodies and fluid in the order of their l
 }
 
 TEST_CASE("the list of probes in the documentation is that of the table", "[probe]") {
-    std::ifstream file(std::string(WETDECK_SOURCE_DIR) + "/validation/README.md");
-    std::stringstream text;
-    text << file.rdbuf();
+    const std::string text = read_whole_file(std::string(WETDECK_SOURCE_DIR) + "/validation/README.md");
     for (const ProbeType& type : probe_types()) {
         std::string keys;
         for (const std::string key : type.keys) keys += (keys.empty() ? "`" : ", `") + key + "`";
         const std::string row =
             fmt::format("| `{}` | {} | {} | {} |\n", type.name, type.records, type.unit, keys);
-        CHECK_THAT(text.str(), Contains(row));
+        CHECK_THAT(text, Contains(row));
     }
 }
