@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "solver/core/errors.hpp"
-#include "validation/store/fnv1a.hpp"
+#include "validation/store/hash.hpp"
 #include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
@@ -64,7 +64,7 @@ bool is_date(std::string_view text) {
 }
 
 std::string hash_of(std::string_view bytes) {
-    return fmt::format("fnv1a64:{:016x}", fnv1a::of_bytes(bytes));
+    return fmt::format("fnv1a64:{:016x}", fnv1a(bytes));
 }
 
 std::string file_text(const std::filesystem::path& path) {

@@ -29,7 +29,7 @@ FieldFrame frame_of(const Simulation& simulation, const std::string& provenance)
     const double rho0 = simulation.model().water.eos.reference_density;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const bool fixed = i < walls.fixed;
-        const int phase = fixed ? wall : wall + 1 + static_cast<int>(walls.body_point[i - walls.fixed].body);
+        const int phase = fixed ? wall : wall + 1 + static_cast<int>(walls.body_point[i].body);
         add(walls.state[i], 0, rho0, phase, fluid.size() + walls.id[i]);
     }
     return frame;

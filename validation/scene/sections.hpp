@@ -16,8 +16,10 @@ inline Vec2 point(const TomlTable& table, const std::string& key) {
     return {values[0], values[1]};
 }
 
-/// [water], [air], [model], gravity, tank.slip -> Model.
+/// [water], [air], [model], [execution], gravity -> Model, Execution.
 void read_model(const TomlTable& root, Scene& scene);
+/// The keys `law` and `sound_speed` of [air] -> the air's sound speed.
+void read_air_law(const TomlTable& air, Model& model);
 /// [[quantities]], [[compare]], [[deviations]], limits.
 void read_analysis(const TomlTable& root, Scene& scene);
 /// [body], [body_2], ...

@@ -16,7 +16,7 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
-#include "validation/store/fnv1a.hpp"
+#include "validation/store/hash.hpp"
 #include "validation/store/live_series.hpp"
 #include "validation/store/run_store.hpp"
 
@@ -52,7 +52,7 @@ void remove_run_files(const std::filesystem::path& directory) {
 std::string run_identity(const std::string& scene, const std::string& variant, double particle_spacing,
                          const std::string& resolved_scene) {
     const std::string clear = fmt::format("{} {} dx {}", scene, variant, particle_spacing);
-    return fmt::format("{} {:016x}", clear, fnv1a::of_bytes(clear + '\n' + resolved_scene));
+    return fmt::format("{} {:016x}", clear, fnv1a(clear + '\n' + resolved_scene));
 }
 
 std::optional<std::string> identity_in(const std::filesystem::path& directory) {

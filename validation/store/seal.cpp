@@ -18,7 +18,7 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
-#include "validation/store/fnv1a.hpp"
+#include "validation/store/hash.hpp"
 
 namespace wetdeck {
 namespace {
@@ -47,7 +47,7 @@ void limit_child(const std::filesystem::path& file) {
 }  // namespace
 
 std::string seal_of(std::string_view bytes) {
-    const std::uint64_t sum = fnv1a::of_words(bytes);
+    const std::uint64_t sum = fnv1a_of_words(bytes);
     std::string seal(sizeof sum, '\0');
     std::memcpy(seal.data(), &sum, sizeof sum);
     return seal.append(mark);
