@@ -27,7 +27,8 @@ Simulation body_in_blob(const Model& model, int threads) {
     body.angular_velocity = 15;
     setup.walls = {};
     add_body_particles(setup.walls, 0, outline, body.position, setup.particle_spacing, 0.08);
-    return setup.simulate({body});
+    setup.bodies = {body};
+    return setup.simulate();
 }
 
 struct Motion {

@@ -73,9 +73,10 @@ TEST_CASE("A simulation with a falling, turning body goes on with the same bits"
     body.inertia = 0.9;
     body.position = c;
     body.angular_velocity = 3;
+    made.bodies = {body};
     const auto simulate = [&](int threads) {
         made.execution.threads = threads;
-        return made.simulate({body});
+        return made.simulate();
     };
     Simulation whole = simulate(1), parted = simulate(2);
     step(whole, 150);

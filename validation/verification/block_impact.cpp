@@ -63,7 +63,7 @@ void run(Findings& findings) {
             findings.record(tension ? "energy_loss" : "energy_loss_without_tension", dx / height,
                             std::abs(loss / exact_loss() - 1));
             if (tension) findings.record("momentum", dx / height, momentum);
-            figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 6), std::move(energy));
+            figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 6), std::move(energy)});
         }
         findings.figure(std::move(figure));
     }

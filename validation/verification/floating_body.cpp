@@ -87,7 +87,7 @@ void at_rest(Findings& findings) {
         });
         findings.record("draught", dx / side, std::abs(sum / samples) / dx);
         findings.record("upright", dx / side, std::abs(afloat.bodies().front().angle));
-        figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 5) + " m", std::move(height));
+        figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 5) + " m", std::move(height)});
     }
     findings.figure(std::move(figure));
 }

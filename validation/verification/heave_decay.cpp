@@ -173,7 +173,7 @@ void run(Findings& findings) {
         }
         findings.record("heave_curve", dx / draught,
                         std::sqrt(squares / static_cast<double>(height.x.size())) / (lift - rest));
-        figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 5) + " m", normal(height));
+        figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 5) + " m", normal(height)});
     }
     findings.figure(std::move(figure));
     const LinearTank coarse(10);

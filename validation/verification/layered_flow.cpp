@@ -197,7 +197,7 @@ void run_case(Findings& findings, const Case& c) {
         findings.record("stress_" + c.name, dx / height,
                         std::abs((profile.stress_sum / profile.samples - exact.interface_stress()) /
                                  exact.wall_stress()));
-        figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 6), std::move(line));
+        figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 6), std::move(line)});
     }
     findings.figure(std::move(figure));
 }

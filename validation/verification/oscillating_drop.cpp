@@ -80,7 +80,7 @@ void run(Findings& findings) {
         findings.record("half_axis", dx / radius, error);
         findings.record("half_axis_order", dx / radius, error);
         figure.exact = {curve.x, exact};
-        figure.computed.emplace_back("dx/R = " + std::to_string(dx).substr(0, 5), std::move(curve));
+        figure.computed.push_back({"dx/R = " + std::to_string(dx).substr(0, 5), std::move(curve)});
     }
     findings.figure(std::move(figure));
 }

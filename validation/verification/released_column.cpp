@@ -94,10 +94,10 @@ void solver(Findings& findings) {
             }
             const double error = std::sqrt(squares / static_cast<double>(sum.size())) / weight;
             findings.record(from_hydrostatic ? "from_hydrostatic" : "from_greco", dx / height, error);
-            figure.computed.emplace_back(
-                (from_hydrostatic ? "from hydrostatic, dx/H = " : "from Greco, dx/H = ") +
-                    std::to_string(dx).substr(0, 6),
-                std::move(bed));
+            figure.computed.push_back(
+                {(from_hydrostatic ? "from hydrostatic, dx/H = " : "from Greco, dx/H = ") +
+                     std::to_string(dx).substr(0, 6),
+                 std::move(bed)});
         }
     }
     findings.figure(std::move(figure));

@@ -83,7 +83,7 @@ void against_exact(Findings& findings) {
             computed.x.insert(computed.x.begin(), amplitude);
             computed.y.insert(computed.y.begin(), mine.pressure / scale);
         }
-        figure.computed.emplace_back("linearised, of the pair loop", computed);
+        figure.computed.push_back({"linearised, of the pair loop", computed});
         findings.figure(std::move(figure));
     }
 }

@@ -57,7 +57,7 @@ void run(Findings& findings) {
                         std::abs(water_depth(simulation, 0, 0.2 * depth) / depth / ritter_depth(0) - 1));
         const double front_speed = (front_position(simulation) - front_before) / (0.25 * time);
         findings.record("front_speed", dx / depth, std::abs(front_speed / (2 * wave_speed) - 1));
-        figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 5), std::move(profile));
+        figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 5), std::move(profile)});
     }
     findings.figure(std::move(figure));
     findings.note(

@@ -24,7 +24,7 @@ Model two_phase_model(double water_sound_speed, double air_sound_speed, double b
 }
 
 Setup::Setup(const Model& model_, Box domain_, double particle_spacing_, bool with_walls)
-    : model(model_), particle_spacing(particle_spacing_), domain(domain_) {
+    : SimulationSetup{model_, {}, {}, particle_spacing_, domain_} {
     execution.threads = 1;
     execution.instruction_set = instruction_set_from_environment();
     if (with_walls)

@@ -19,26 +19,16 @@ Model water_model(double sound_speed, double gravity = 0);
 Model two_phase_model(double water_sound_speed, double air_sound_speed, double background_pressure,
                       double gravity = 0);
 
-/// Everything a simulation is made of.
-struct Setup {
-    Model model;
-    FluidParticles fluid;
-    WallParticles walls;
-    std::vector<RigidBody> bodies;
-    double particle_spacing = 0;
-    Box domain;
-
+/// What a simulation is made of, on one thread and with the instruction set that WETDECK_SIMD names.
+struct Setup : SimulationSetup {
     /// A tank with walls all around; without them its sides are only where particles are expected.
-    Setup(const Model& model, Box domain, double particle_spacing, bool with_walls);
+    Setup(const Model& model, Box domain, double particle_spacing, bool with_walls = false);
+    /// Adds a box of fluid at its reference density.
     void fill(Phase phase, Box box);
     /// Puts a body where its position says, unturned, and takes away the fluid there. The outline is about
     /// its mass centre.
     void put(const RigidBody& body, const Outline& outline);
-    Execution execution;
-
-    Simulation simulate() const {
-        return Simulation({model, fluid, walls, particle_spacing, domain, bodies, execution});
-    }
+    Simulation simulate() const { return Simulation(*this); }
 };
 
 /// Uniform numbers that are the same everywhere.

@@ -198,7 +198,7 @@ TEST_CASE("Two particles alone get opposite momentum from the fast loop, whateve
     const Ingredient& ingredient = GENERATE(from_range(ingredients()));
     INFO(name << ", " << ingredient.name);
     const samples::ChosenInstructionSet chosen(name);
-    samples::Setup setup{with(ingredient), {}, {}, 0.05, Box{{-1, -1}, {1, 1}}};
+    samples::Setup setup(with(ingredient), Box{{-1, -1}, {1, 1}}, 0.05);
     setup.model.gravity = Vec2::Zero();
     setup.fluid.add(Phase::water, {0, 0}, 2.5, 1001);
     const Phase other = GENERATE(Phase::water, Phase::air);

@@ -181,7 +181,7 @@ TEST_CASE("The list says that it is complete as long as it holds every pair in s
 
 TEST_CASE("Far from walls the list outlives any move that all particles share, up to a block",
           "[neighbours]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {2, 2}}};
+    samples::Setup setup(samples::two_phase_model(), Box{{0, 0}, {2, 2}}, spacing);
     fill_box(setup.fluid, Phase::water, {{0.5, 0.5}, {1.5, 1.5}}, spacing, 1000);
     Listed listed(setup, 1);
     CHECK(moved_while_complete(listed, [](Vec2, std::uint32_t) -> Vec2 { return {0.6, -0.8}; }) > 1.4 * skin);
@@ -195,7 +195,7 @@ TEST_CASE("One particle that flies at its neighbours ends the life of the list",
 }
 
 TEST_CASE("A body that comes nearer ends the life of the list", "[neighbours]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {2, 2}}};
+    samples::Setup setup(samples::two_phase_model(), Box{{0, 0}, {2, 2}}, spacing);
     fill_box(setup.fluid, Phase::water, {{0.5, 0.5}, {1.5, 1.0}}, spacing, 1000);
     setup.walls.add_body_point(0, {0, 0}, {0, -1});
     setup.walls.state[0].x = 1;
@@ -260,7 +260,7 @@ TEST_CASE("Sorting keeps each particle's state, mass and id together and water b
 }
 
 TEST_CASE("A set of one phase without walls has a list too", "[neighbours]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {1, 1}}};
+    samples::Setup setup(samples::two_phase_model(), Box{{0, 0}, {1, 1}}, spacing);
     const Phase phase = GENERATE(Phase::water, Phase::air);
     for (int n = 0; n < 9; ++n) setup.fluid.add(phase, {0.5 + 0.04 * (n % 3), 0.5 + 0.04 * (n / 3)}, 1, 1000);
     const Listed listed(setup, 1);

@@ -23,7 +23,7 @@ double wrapped(double x) {
 samples::Setup channel(double shift, Model model = samples::two_phase_model()) {
     model.periodic_x = true;
     model.gravity = {0.7, -9.81};
-    samples::Setup setup{model, {}, {}, spacing, {{0, 0}, {period, tank_height}}};
+    samples::Setup setup(model, {{0, 0}, {period, tank_height}}, spacing);
     setup.walls = tank_walls(setup.domain, spacing, 2 * model.smoothing_ratio * spacing, model.periodic_x);
     fill_box(setup.fluid, Phase::water, {{0, 0}, {period, 0.3}}, spacing, 1000);
     fill_box(setup.fluid, Phase::air, {{0, 0.3}, {period, tank_height}}, spacing, 1);
@@ -154,12 +154,11 @@ TEST_CASE("What a periodic domain cannot have is refused", "[periodic]") {
     SECTION("less room than two supports") {
         setup.domain.high.x() = 0.25;
     }
-    std::vector<RigidBody> bodies;
     SECTION("a body") {
-        bodies.resize(1);
-        bodies[0].free = {false, false, false};
+        setup.bodies.resize(1);
+        setup.bodies[0].free = {false, false, false};
     }
-    CHECK_THROWS_AS(setup.simulate(bodies), InputError);
+    CHECK_THROWS_AS(setup.simulate(), InputError);
 }
 
 TEST_CASE("Bed and lid of a periodic tank run on beyond its ends", "[periodic]") {

@@ -17,7 +17,7 @@ namespace {
 
 /// A disc of water without air or gravity at its reference density, moving as one.
 samples::Setup disc(Vec2 velocity) {
-    samples::Setup setup{two_phase_model(), {}, {}, 0.05, Box{{-1, -1}, {1, 1}}};
+    samples::Setup setup(two_phase_model(), Box{{-1, -1}, {1, 1}}, 0.05);
     setup.model.gravity = Vec2::Zero();
     setup.model.water.eos.background_pressure = 0;
     for (int column = -3; column <= 3; ++column) {
@@ -34,7 +34,7 @@ samples::Setup disc(Vec2 velocity) {
 }  // namespace
 
 TEST_CASE("A simulation without fluid or without a spacing is refused", "[simulation]") {
-    samples::Setup empty{two_phase_model(), {}, {}, 0.05, Box{{0, 0}, {1, 1}}};
+    samples::Setup empty(two_phase_model(), Box{{0, 0}, {1, 1}}, 0.05);
     CHECK_THROWS_AS(empty.simulate(), InputError);
     CHECK_THROWS_WITH(empty.simulate(), Catch::Contains("needs fluid particles"));
     samples::Setup no_spacing = disc({0, 0});

@@ -26,7 +26,8 @@ Simulation tank_with_body(const RigidBody& body) {
     clear_fluid(setup.fluid, outline, setup.particle_spacing);
     add_body_particles(setup.walls, 0, outline, c, setup.particle_spacing,
                        2 * setup.model.smoothing_ratio * setup.particle_spacing);
-    return setup.simulate({body});
+    setup.bodies = {body};
+    return setup.simulate();
 }
 
 RigidBody resting_body() {
