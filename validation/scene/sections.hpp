@@ -12,7 +12,7 @@ using Scales = std::map<std::string, double>;
 
 /// [water], [air], [model], gravity, tank.slip -> Model.
 void read_model(const TomlTable& root, Scene& scene);
-/// [[quantities]], [[compare]], [[deviations]], limits.
+/// [[quantities]], [[compare]], [[deviations]], [[source_figures]], limits.
 void read_analysis(const TomlTable& root, Scene& scene);
 /// [body], [body_2], ...
 void read_bodies(const TomlTable& root, Scene& scene);
