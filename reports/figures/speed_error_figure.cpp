@@ -37,26 +37,64 @@ void add_peers(Figure& figure, const Summary& summary, const std::string& scene)
     }
 }
 
+using Points = std::vector<const SpeedErrorPoint*>;
+
+/// The points that a logarithmic diagram can show, by variant and from coarse to fine.
+std::map<std::string, Points> points_by_variant(const Summary& summary, const std::string& scene) {
+    std::map<std::string, Points> variants;
+    for (const SpeedErrorPoint& point : summary.speed_error) {
+        if (point.scene == scene && point.error && *point.error > 0 && point.core_s > 0)
+            variants[point.variant].push_back(&point);
+    }
+    for (auto& entry : variants) {
+        std::sort(entry.second.begin(), entry.second.end(),
+                  [](const auto* a, const auto* b) { return a->dx > b->dx; });
+    }
+    return variants;
+}
+
+PlotSeries variant_series(const Points& points, const std::string& label, const std::string& colour) {
+    PlotSeries series = line(label, {}, colour);
+    series.style = Style::line_and_points;
+    for (const SpeedErrorPoint* point : points) {
+        series.data.x.push_back(point->core_s);
+        series.data.y.push_back(*point->error);
+        series.point_labels.push_back(spacing_text(point->dx));
+    }
+    return series;
+}
+
+/// Rings around the Pareto-optimal points.
+PlotSeries pareto_series(const std::map<std::string, Points>& variants) {
+    PlotSeries rings = line("Pareto-optimal", {}, "#111111");
+    rings.style = Style::points;
+    rings.filled = false;
+    rings.point_size = 13;
+    for (const auto& entry : variants) {
+        for (const SpeedErrorPoint* point : entry.second) {
+            if (!point->pareto) continue;
+            rings.data.x.push_back(point->core_s);
+            rings.data.y.push_back(*point->error);
+        }
+    }
+    return rings;
+}
+
 }  // namespace
 
 Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
-    std::map<std::string, std::vector<const SpeedErrorPoint*>> by_variant;
-    for (const SpeedErrorPoint& point : summary.speed_error) {
-        if (point.scene == scene.scene && point.error && *point.error > 0 && point.core_s > 0) {
-            by_variant[point.variant].push_back(&point);
+    const std::map<std::string, Points> by_variant = points_by_variant(summary, scene.scene);
+    std::set<std::string> targets;
+    bool relative = false;
+    for (const auto& entry : by_variant) {
+        for (const SpeedErrorPoint* point : entry.second) {
+            targets.insert(point->against);
+            relative = relative || point->relative;
         }
     }
     Figure figure;
     figure.name = scene.scene + "-speed-error";
     figure.title = scene.scene + ": speed against error";
-    std::set<std::string> targets;
-    bool relative = false;
-    for (const auto& [variant, points] : by_variant) {
-        for (const SpeedErrorPoint* point : points) {
-            targets.insert(point->against);
-            relative = relative || point->relative;
-        }
-    }
     figure.caption = fmt::format("Error of {}{}.", scene.error_quantity,
                                  targets.size() == 1 ? " against " + *targets.begin() : "");
     figure.x = {"cost", "core-seconds", true, {}};
@@ -65,30 +103,14 @@ Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
                 true,
                 {}};
     const std::vector<std::string> variants = variants_of(runs_of(summary, scene));
-    PlotSeries best;
-    best.style = Style::points;
-    best.filled = false;
-    best.point_size = 13;
-    best.colour = "#111111";
-    best.label = "Pareto-optimal";
-    for (auto& [variant, points] : by_variant) {
-        std::sort(points.begin(), points.end(), [](const auto* a, const auto* b) { return a->dx > b->dx; });
+    for (const auto& [variant, points] : by_variant) {
         const auto place = std::find(variants.begin(), variants.end(), variant) - variants.begin();
-        PlotSeries s;
-        s.style = Style::line_and_points;
-        s.label = variant + (targets.size() > 1 ? ", against " + points.front()->against : "");
-        s.colour = variant_colour(static_cast<std::size_t>(place));
-        for (const SpeedErrorPoint* point : points) {
-            s.data.x.push_back(point->core_s);
-            s.data.y.push_back(*point->error);
-            s.point_labels.push_back(spacing_text(point->dx));
-            if (!point->pareto) continue;
-            best.data.x.push_back(point->core_s);
-            best.data.y.push_back(*point->error);
-        }
-        figure.series.push_back(std::move(s));
+        const std::string target = targets.size() > 1 ? ", against " + points.front()->against : "";
+        figure.series.push_back(
+            variant_series(points, variant + target, variant_colour(static_cast<std::size_t>(place))));
     }
-    if (!best.data.x.empty()) figure.series.push_back(std::move(best));
+    if (PlotSeries rings = pareto_series(by_variant); !rings.data.x.empty())
+        figure.series.push_back(std::move(rings));
     if (!figure.series.empty()) add_peers(figure, summary, scene.scene);
     return figure;
 }

@@ -13,6 +13,7 @@
 namespace wetdeck::report {
 namespace {
 
+/// Verdicts counted.
 struct Tally {
     std::size_t within = 0;
     std::size_t judged = 0;
@@ -99,52 +100,58 @@ std::string revisions_table(const Summary& summary) {
     return table.html();
 }
 
-}  // namespace
-
-std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page) {
-    Tally ended, quantities, references, peers;
+/// Counts of what completed and what lies within its tolerance.
+std::string cards(const Summary& summary) {
+    Tally completed, quantities, references, peers, criteria;
     for (const RunSummary& run : summary.runs) {
-        ended.take(run.record.status == RunStatus::ok);
+        completed.take(run.record.status == RunStatus::ok);
         for (const QuantityResult& q : run.quantities) quantities.take(q.within);
-        for (const ComparisonResult& c : run.comparisons) {
+        for (const ComparisonResult& c : run.comparisons)
             (c.kind == "peer-simulation" ? peers : references).take(verdict_of(c));
-        }
     }
-    Tally claims;
     for (const VerificationProblem& problem : summary.verification) {
-        for (const VerificationRow& row : problem.rows) claims.take(row.within);
+        for (const VerificationRow& row : problem.rows) criteria.take(row.within);
     }
-    std::string out = paragraph(
-        "Two-phase Riemann-SPH simulations of water entry and water impact, compared with measurements, "
-        "exact solutions and other simulations.",
-        "lead");
-    out += "<div class=\"cards\">\n";
+    std::string out = "<div class=\"cards\">\n";
     if (about_runs(summary)) {
-        out += tally_card(ended, "runs completed");
+        out += tally_card(completed, "runs completed");
         out += card(std::to_string(summary.missing.size()), "runs missing",
                     summary.missing.empty() ? "good" : "bad");
         out += tally_card(quantities, "expected values within tolerance, all spacings");
         out += tally_card(references, "reference curves within tolerance, all spacings");
     }
-    if (claims.judged > 0) out += tally_card(claims, "criteria met in problems with exact solutions");
+    if (criteria.judged > 0) out += tally_card(criteria, "criteria met in problems with exact solutions");
     if (peers.judged > 0) out += tally_card(peers, "peer simulations within tolerance, all spacings");
-    out += "</div>\n";
+    return out + "</div>\n";
+}
+
+/// What a reader misses where gnuplot or plotly.js was not at hand.
+std::string drawing_notice(const Page& page) {
+    if (page.draws_static() && page.draws_interactive()) return "";
+    if (page.draws_static())
+        return paragraph("plotly.js was not built into this program: the figures are static.", "notice");
+    return paragraph(page.draws_interactive()
+                         ? "gnuplot was not found when this report was written: figures need JavaScript "
+                           "and do not print."
+                         : "gnuplot was not found and plotly.js was not built in: figures are not drawn, "
+                           "only their CSV files are written.",
+                     "notice");
+}
+
+}  // namespace
+
+std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page) {
+    std::string out = paragraph(
+        "Two-phase Riemann-SPH simulations of water entry and water impact, compared with measurements, "
+        "exact solutions and other simulations.",
+        "lead");
+    out += cards(summary);
     if (!summary.missing.empty()) {
         out += paragraph(
             "This report is incomplete: runs of the tier are missing. They are listed under Failures.",
             "notice");
     }
-    if (!page.draws_static()) {
-        out += paragraph(page.draws_interactive()
-                             ? "gnuplot was not found when this report was written: figures need JavaScript "
-                               "and do not print."
-                             : "gnuplot was not found and plotly.js was not built in: figures are not drawn, "
-                               "only their CSV files are written.",
-                         "notice");
-    } else if (!page.draws_interactive()) {
-        out += paragraph("plotly.js was not built into this program: the figures are static.", "notice");
-    }
-    return out + properties(inputs.program) + properties(inputs.machine) +
+    return out + drawing_notice(page) + properties(inputs.program) + properties(inputs.machine) +
            (inputs.note.empty() ? "" : paragraph(inputs.note, "soft"));
 }
 
