@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a model to the numbers that the pair loops use, one set per ordered pair of phases.
-
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/coefficients.hpp"
 
 namespace wetdeck {
 namespace {

@@ -34,7 +34,7 @@ std::string put_long_scene_with_body(const ScratchFolder& folder) {
     const std::string scene = samples::bytes_of(put_long_scene(folder));
     samples::put_bytes(folder / "body.toml", samples::replaced(scene, "[model]\n", R"toml([body]
 outline = [[-0.08, -0.06], [0.08, -0.06], [0.08, 0.06], [-0.08, 0.06]]
-place = [0.2, 0.3]
+position = [0.2, 0.3]
 free = ["x", "y", "rotation"]
 velocity_y = -1.0
 mass = 15.0

@@ -229,8 +229,8 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
             cover += p.volume * kernel.value((here - p.position()).norm());
         for (const WallState& w : walls.state)
             cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
-        if (sums.distance < touching_distance) cover = touching_cover + std::max(0.0, -sums.distance);
-        rates.cover.push_back(cover);
+        if (sums.distance < touching_distance) cover = touching_kernel_sum + std::max(0.0, -sums.distance);
+        rates.kernel_sum.push_back(cover);
         const double density = fluid.state[i].density;
         rates.density.push_back(2 * density * sums.compression);
         rates.acceleration_x.push_back(2 / density * sums.push.x() + model.gravity.x());

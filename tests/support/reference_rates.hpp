@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "solver/particles/particles.hpp"
+#include "solver/particles/fluid.hpp"
 #include "solver/physics/model.hpp"
 
 namespace wetdeck::samples {

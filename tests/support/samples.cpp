@@ -45,6 +45,13 @@ void shake(Setup& setup, Dice& dice) {
 
 }  // namespace
 
+Execution usual_execution() {
+    Execution execution;
+    execution.threads = 1;
+    if (const char* name = std::getenv("WETDECK_SIMD")) execution.instruction_set = name;
+    return execution;
+}
+
 Model two_phase_model() {
     Model model;
     model.water.eos = {1000, 30, 7, 1000};
@@ -66,12 +73,10 @@ Model two_phase_model() {
     model.wall_velocity = WallVelocity::mirrored;
     model.wall_dissipation = 3;
     model.sponge_thickness = 0;
-    model.tension = true;
+    model.negative_pressure = true;
     model.smoothing_ratio = 1.25;
     model.air_substeps = 1;
     model.courant_number = 0.5;
-    model.skin = 0.2;
-    model.threads = 1;
     return model;
 }
 
@@ -89,7 +94,7 @@ Model paper_model() {
     model.wall_velocity = WallVelocity::normal;
     model.wall_dissipation = 0;
     model.courant_number = 0.25;
-    model.full_cover = 0;
+    model.full_kernel_sum = 0;
     return model;
 }
 
@@ -191,7 +196,7 @@ std::vector<std::string> instruction_sets() {
     std::vector<std::string> supported;
     for (const char* name : {"sse2", "avx2", "avx512"}) {
         try {
-            pair_loops(two_phase_model(), name);
+            pair_passes(two_phase_model(), name);
             supported.emplace_back(name);
         } catch (const InputError&) {
             // not on this processor

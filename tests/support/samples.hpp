@@ -11,6 +11,9 @@
 
 namespace wetdeck::samples {
 
+/// One thread, and the instruction set that WETDECK_SIMD names.
+Execution usual_execution();
+
 /// Everything a simulation is made of.
 struct Setup {
     Model model;
@@ -19,7 +22,11 @@ struct Setup {
     double particle_spacing = 0;
     Box domain;
 
-    Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain); }
+    Execution execution = usual_execution();
+
+    Simulation simulate(std::vector<RigidBody> bodies = {}) const {
+        return Simulation({model, fluid, walls, particle_spacing, domain, std::move(bodies), execution});
+    }
 };
 
 /// Water (c = 30 m/s) and air (c = 90 m/s), 1000 Pa of background pressure, impedance-weighted means, low

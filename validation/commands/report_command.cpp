@@ -13,7 +13,7 @@
 #include "reports/figures/selection.hpp"
 #include "reports/report.hpp"
 #include "solver/core/errors.hpp"
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/pair_passes.hpp"
 #include "validation/commands/pictures.hpp"
 #include "validation/commands/sketch.hpp"
 #include "validation/metrics/analysis.hpp"
@@ -22,6 +22,7 @@
 #include "validation/metrics/verification_json.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/environment.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_store.hpp"
 
@@ -112,7 +113,8 @@ std::vector<AnalysisSpec> specifications_of(const std::vector<RunSummary>& runs)
 ProgramInfo program_info(const std::vector<RunSummary>& runs) {
     std::map<std::string, std::string> c;
     if (runs.empty()) {  // verification alone: this program ran it
-        collect_provenance(pair_loops(Model{}).instruction_set, 1).add_to(c);
+        collect_provenance(pair_passes(Model{}, instruction_set_from_environment()).instruction_set, 1)
+            .add_to(c);
     } else {
         c = runs.front().record.choices;
     }
@@ -222,7 +224,7 @@ std::vector<std::string> outside_tolerance(const Summary& summary) {
         }
     }
     for (const RunSummary* run : finest_runs(summary)) {
-        if (run->record.variant == "paper") continue;
+        if (run->expected_unstable) continue;
         const auto add = [&](const std::string& name) {
             outside.push_back(fmt::format("{} {} dx {}: {}", run->record.scene, run->record.variant,
                                           run->record.particle_spacing, name));

@@ -14,6 +14,7 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/metrics/stored_tables.hpp"
+#include "validation/scene/schemes.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/stress/bisect.hpp"
 #include "validation/stress/cases.hpp"
@@ -39,7 +40,7 @@ std::string file_name(const StressRow& row) {
     return name + ".png";
 }
 
-void run_setting(StressRow& row, const Setting& setting, Scheme scheme, const fs::path& directory) {
+void run_setting(StressRow& row, const Setting& setting, const Scheme& scheme, const fs::path& directory) {
     std::optional<Outcome> outcome;
     try {
         outcome = run_trial(setting.build(scheme));
@@ -79,17 +80,18 @@ void run_search(StressRow& row, const Search& search) {
 
 std::vector<Task> tasks_of(const std::vector<Case>& cases, const StressOptions& options) {
     std::vector<Task> tasks;
+    std::vector<Scheme> schemes = scheme_names();
+    schemes.insert(schemes.begin(), default_scheme);
     for (const Case& member : cases) {
         for (const Setting& setting : member.settings) {
-            for (const Scheme scheme : schemes) {
-                if (options.fast && (!setting.quick || scheme != Scheme::standard)) continue;
-                const bool standard = scheme == Scheme::standard;
-                tasks.push_back(
-                    {{member.name, setting.name + (standard ? "" : ", " + name_of(scheme)), false, "", ""},
-                     standard && setting.beyond.empty(),
-                     [&setting, scheme, &options](StressRow& row) {
-                         run_setting(row, setting, scheme, options.directory);
-                     }});
+            for (const Scheme& scheme : schemes) {
+                if (options.fast && (!setting.quick || !scheme.empty())) continue;
+                const bool standard = scheme.empty();
+                tasks.push_back({{member.name, setting.name + (standard ? "" : ", " + scheme), false, "", ""},
+                                 standard && setting.beyond.empty(),
+                                 [&setting, scheme, &options](StressRow& row) {
+                                     run_setting(row, setting, scheme, options.directory);
+                                 }});
             }
         }
         if (options.fast) continue;

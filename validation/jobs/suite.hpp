@@ -20,6 +20,7 @@ struct SuiteRow {
     std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of the sensitivity study
     std::filesystem::path directory;     ///< of the run
     std::optional<double> until = {};    ///< stop time [s], the scene's if absent
+    bool expected_unstable = false;      ///< its variant is known to become unstable: no failure
 };
 
 struct SuiteOptions {

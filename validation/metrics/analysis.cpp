@@ -22,6 +22,7 @@ namespace wetdeck {
 namespace {
 
 void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& references) {
+    run.expected_unstable = spec.expected_unstable;
     for (const QuantitySpec& quantity : spec.quantities) {
         run.quantities.push_back(evaluate_quantity(quantity, run.record, references));
     }

@@ -114,6 +114,8 @@ struct AnalysisSpec {
     std::optional<SourceRun> source_run;
     std::string error_quantity;  ///< the quantity whose error the speed-error diagram shows
     std::string default_variant;
+    bool expected_unstable =
+        false;                     ///< the variant is known to become unstable: that is a result, no failure
     std::filesystem::path folder;  ///< of the scene file: its own curves come before those of the program
 };
 

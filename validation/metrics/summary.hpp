@@ -69,6 +69,7 @@ struct RunSummary {
     std::string directory;                 ///< relative to the suite's directory
     std::optional<double> energy_error;    ///< see conservation.hpp
     std::optional<double> momentum_error;  ///< see conservation.hpp
+    bool expected_unstable = false;        ///< its variant is known to become unstable
     std::vector<QuantityResult> quantities;
     std::vector<ComparisonResult> comparisons;
 };

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "solver/core/errors.hpp"
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/pair_passes.hpp"
 #include "validation/analytic/curves.hpp"
 #include "validation/commands/ablate.hpp"
 #include "validation/commands/baseline.hpp"
@@ -29,6 +29,7 @@
 #include "validation/run/stop_signal.hpp"
 #include "validation/scene/plausibility.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/environment.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -292,7 +293,7 @@ int check_command(const Options& options) {
 }
 
 Provenance provenance() {
-    return collect_provenance(pair_loops(Model{}).instruction_set,
+    return collect_provenance(pair_passes(Model{}, instruction_set_from_environment()).instruction_set,
                               static_cast<unsigned>(omp_get_max_threads()));
 }
 

@@ -31,7 +31,7 @@ FieldFrame frame_of(const Simulation& simulation, const std::string& provenance)
         const WallState& w = walls.state[i];
         const double rho0 = simulation.model().water.eos.reference_density;
         const bool fixed = i < walls.fixed;
-        const int phase = fixed ? wall : wall + 1 + static_cast<int>(walls.body_point[i - walls.fixed].body);
+        const int phase = fixed ? wall : wall + 1 + static_cast<int>(walls.body_point[i].body);
         add(w.x, w.y, w.vx, w.vy, 0, rho0, phase, static_cast<std::int64_t>(fluid.size() + walls.id[i]));
     }
     return frame;

@@ -6,8 +6,10 @@
 #include <bit>
 #include <chrono>
 #include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
+#include "solver/scheme_revision.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/field_frame.hpp"
@@ -15,6 +17,8 @@
 #include "validation/run/series_keeper.hpp"
 #include "validation/run/stop_signal.hpp"
 #include "validation/run/watchdog.hpp"
+#include "validation/scene/identity.hpp"
+#include "validation/scene/model_keys.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -28,34 +32,26 @@ double processor_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-void record_parameters(RunRecord& record, const Scene& scene, const Simulation& simulation) {
-    const Model& m = simulation.model();
-    auto& p = record.parameters;
-    p["particle_spacing"] = record.particle_spacing;
-    p["smoothing_length"] = simulation.kernel().smoothing_length;
-    p["gravity_x"] = m.gravity.x();
-    p["gravity_y"] = m.gravity.y();
-    p["water.density"] = m.water.eos.reference_density;
-    p["water.sound_speed"] = m.water.eos.sound_speed;
-    p["water.exponent"] = m.water.eos.exponent;
-    p["water.viscosity"] = m.water.viscosity;
-    if (scene.air) {
-        p["air.density"] = m.air.eos.reference_density;
-        p["air.sound_speed"] = m.air.eos.sound_speed;
-        p["air.exponent"] = m.air.eos.exponent;
-        p["air.viscosity"] = m.air.viscosity;
+/// Every model ingredient and number, as the simulation took them.
+void record_parameters(RunRecord& record, Scene scene, const Simulation& simulation) {
+    scene.model = simulation.model();
+    scene.execution = simulation.execution();
+    auto& numbers = record.parameters;
+    for (const auto& [key, value] : parameters_of(scene)) {
+        if (const double* number = std::get_if<double>(&value)) {
+            numbers[key] = *number;
+        } else {
+            record.choices[key] = toml_text(value);
+        }
     }
-    if (scene.air) p["model.air_substeps"] = simulation.model().air_substeps;
-    p["model.background_pressure"] = m.water.eos.background_pressure;
-    p["model.pressure_diffusion"] = m.pressure_diffusion;
-    p["model.dissipation_slope"] = m.dissipation_slope;
-    p["model.air_dissipation"] = m.air_dissipation;
-    p["model.wall_dissipation"] = m.wall_dissipation;
-    p["model.full_cover"] = m.full_cover;
-    p["model.smoothing_ratio"] = m.smoothing_ratio;
-    p["model.courant_number"] = m.courant_number;
-    p["model.skin"] = m.skin;
-    p["run.end_time"] = scene.end_time;
+    numbers["gravity_x"] = scene.model.gravity.x();
+    numbers["gravity_y"] = scene.model.gravity.y();
+    numbers["particle_spacing"] = record.particle_spacing;
+    numbers["smoothing_length"] = simulation.kernel().smoothing_length;
+    numbers["run.end_time"] = scene.end_time;
+    numbers["scheme_revision"] = scheme_revision;
+    record.choices["parameters"] = parameters_json(scene).dump();
+    record.choices["setup_identity"] = setup_identity(scene);
     record.choices["resolved_scene"] = scene.resolved;
     record.choices["air"] = scene.air ? "yes" : "no";
 }
@@ -242,7 +238,7 @@ class Run {
 std::string identity_of(const Scene& scene, const RunOptions& options) {
     return run_identity(
         scene.name(), scene.variant, options.particle_spacing,
-        fmt::format("{}\nuntil = {}", scene.resolved, options.until.value_or(scene.end_time)));
+        fmt::format("{}\nuntil = {}", setup_json(scene).dump(), options.until.value_or(scene.end_time)));
 }
 
 RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress) {

@@ -26,7 +26,7 @@ const std::vector<std::string> metric_names = {"mean",
                                                "change",
                                                "first_peak_integral"};
 
-/// A scale or an origin is a name from [scales] or [origins].
+/// A scale or an origin is a name from [scales] or [time_origins].
 double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {
     if (!table.has(key)) return fallback;
     std::vector<std::string> names;
@@ -165,7 +165,7 @@ void read_source_figures(const TomlTable& root, AnalysisSpec& analysis) {
 
 void read_analysis(const TomlTable& root, Scene& scene) {
     Scales scales, origins;
-    if (const std::optional<TomlTable> table = root.optional_table("origins")) {
+    if (const std::optional<TomlTable> table = root.optional_table("time_origins")) {
         for (const std::string& name : table->keys()) origins[name] = table->number(name);
     }
     if (const std::optional<TomlTable> table = root.optional_table("scales")) {

@@ -45,7 +45,7 @@ Outline read_corners(const TomlTable& table) {
 BodySpec read_body(const TomlTable& table, const std::string& name, const Scene& scene) {
     BodySpec spec;
     spec.name = name;
-    spec.origin = point(table, "place");
+    spec.origin = point(table, "position");
     spec.outline = read_corners(table);
     for (Vec2& corner : spec.outline) corner += spec.origin;
     try {

@@ -12,6 +12,7 @@
 #include "solver/core/errors.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/scene/outline_file.hpp"
+#include "validation/scene/schemes.hpp"
 #include "validation/scene/sections.hpp"
 #include "validation/scene/toml_reader.hpp"
 
@@ -112,6 +113,29 @@ void read_tiers(const TomlTable& root, Scene& scene) {
     }
 }
 
+/// Keys that had another name in earlier releases. Those of bodies are renamed in each body's table.
+/// @param may_replace  whether entries of the new name are older than those of the old name
+void rename_old_keys(TomlDocument& document, bool may_replace, std::vector<std::string>& notes) {
+    std::vector<std::pair<std::string, std::string>> renamed = {{"model.full_cover", "model.full_kernel_sum"},
+                                                                {"model.tension", "model.negative_pressure"},
+                                                                {"model.skin", "execution.skin"},
+                                                                {"origins", "time_origins"}};
+    for (const std::string& key : document.root().keys())
+        if (key == "body" || key.starts_with("body_"))
+            renamed.emplace_back(key + ".place", key + ".position");
+    for (const auto& [old_key, new_key] : renamed)
+        if (const auto note = document.rename(old_key, new_key, may_replace)) notes.push_back(*note);
+}
+
+/// The scheme that the overrides, the variant or the scene names, or an empty name.
+std::string chosen_scheme(const TomlTable& root, const std::string& variant,
+                          const std::vector<std::string>& overrides) {
+    const std::string overriding = scheme_in(overrides);
+    if (!overriding.empty()) return overriding;
+    const TomlTable table = root.table("variants").table(variant);
+    return table.has("scheme") ? table.text("scheme") : root.text_or("scheme", "");
+}
+
 Scene read_document(TomlDocument document, const std::optional<std::string>& wanted,
                     const std::vector<std::string>& overrides, const std::string& path) {
     Scene scene;
@@ -121,7 +145,9 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
         const TomlTable variants = root.table("variants");
         names = variants.keys();
         for (const std::string& name : names) {
-            scene.variants.push_back({name, variants.table(name).text_or("description", "")});
+            const TomlTable variant = variants.table(name);
+            scene.variants.push_back(
+                {name, variant.text_or("description", ""), variant.text_or("scheme", "")});
         }
         scene.analysis.default_variant = root.choice("default_variant", names);
     }
@@ -130,8 +156,13 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
         throw InputError(fmt::format("{}: no variant '{}', expected one of {}", path, scene.variant,
                                      fmt::join(names, ", ")));
     }
+    rename_old_keys(document, false, scene.notes);
+    const std::string scheme = chosen_scheme(document.root(), scene.variant, overrides);
+    if (!scheme.empty()) document.overlay({"schemes", scheme}, TomlDocument::Overlay::of_existing_tables);
     document.overlay({"variants", scene.variant});
+    rename_old_keys(document, true, scene.notes);
     for (const std::string& assignment : overrides) document.set(assignment);
+    rename_old_keys(document, true, scene.notes);
 
     const TomlTable root = document.root();
     if (root.number("schema") != 1) root.fail("schema", "expected 1");
@@ -142,6 +173,9 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     root.has("default_variant");
     root.has("variants");
     root.has("description");  // of the variant that was laid over the root
+    root.has("scheme");
+    root.has("schemes");
+    scene.analysis.expected_unstable = root.choice("expect", {"stable", "unstable"}, "stable") == "unstable";
 
     const TomlTable tank = root.table("tank");
     const std::vector<double> size = tank.numbers("size", 2);
@@ -167,6 +201,7 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     read_analysis(root, scene);
     root.finish();
     scene.resolved = document.resolved();
+    scene.probe_text = document.array_text("probes", {"note"});
     return scene;
 }
 
@@ -223,8 +258,9 @@ std::string body_series_name(const std::string& name, std::size_t body) {
 
 Scene parse_scene(const std::string& text, const std::string& path, const std::optional<std::string>& variant,
                   const std::vector<std::string>& overrides) {
-    Scene scene = read_document(TomlDocument(text, path), variant, overrides, path);
-    scene.text = text;
+    const std::string complete = with_schemes(text, path, overrides);
+    Scene scene = read_document(TomlDocument(complete, path), variant, overrides, path);
+    scene.text = complete;
     scene.path = path;
     scene.analysis.folder = fs::path(path).parent_path();
     scene.overrides = overrides;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/bodies/rigid_body.hpp"
+#include "solver/core/execution.hpp"
 #include "solver/core/vec2.hpp"
 #include "solver/physics/model.hpp"
 #include "solver/setup/body_outline.hpp"
@@ -77,6 +78,7 @@ std::string body_series_name(const std::string& name, std::size_t body);
 struct VariantInfo {
     std::string name;
     std::string description;
+    std::string scheme;  ///< that it names, or empty
 };
 
 /// Spacings [m] by variant.
@@ -88,6 +90,7 @@ struct Scene {
     std::vector<VariantInfo> variants;
     std::map<std::string, Tier> tiers;
     Model model;
+    Execution execution;
     bool air = true;
     Box tank;
     std::vector<Box> water_boxes, air_boxes;
@@ -102,7 +105,9 @@ struct Scene {
     std::string text;                    ///< the file as read, with the outlines that it takes from others
     std::string path;                    ///< where it was read
     std::vector<std::string> overrides;  ///< KEY=VALUE, as given
-    std::string resolved;                ///< the document after variant and --set: what decides a run
+    std::vector<std::string> notes;      ///< on old names of keys, for the user
+    std::string resolved;                ///< the document after scheme, variant and --set
+    std::string probe_text;              ///< the tables of the probes without their notes
 
     const std::string& name() const { return analysis.scene; }
 };
@@ -121,9 +126,10 @@ Scene parse_scene(const std::string& text, const std::string& path,
 std::vector<std::string> scene_names();
 std::filesystem::path find_scene(const std::string& name_or_path);
 
-/// Where installed or source data lie: scenes/ and reference_data/. The environment variable WETDECK_DATA
-/// names another root.
+/// Where installed or source data lie: scenes/, schemes/ and reference_data/. The environment variable
+/// WETDECK_DATA names another root.
 std::filesystem::path scene_directory();
+std::filesystem::path scheme_directory();
 std::filesystem::path reference_directory();
 
 /// Particles, steps and particle-steps that a run at this spacing will take, from the scene alone.

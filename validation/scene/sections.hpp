@@ -10,8 +10,10 @@ namespace wetdeck {
 /// Scales by name ("time", "length", "pressure"), as quantities and comparisons refer to them.
 using Scales = std::map<std::string, double>;
 
-/// [water], [air], [model], gravity, tank.slip -> Model.
+/// [water], [air], [model], [execution], gravity -> Model, Execution.
 void read_model(const TomlTable& root, Scene& scene);
+/// The keys `law` and `sound_speed` of [air] -> the air's sound speed.
+void read_air_law(const TomlTable& air, Model& model);
 /// [[quantities]], [[compare]], [[deviations]], [[source_figures]], limits.
 void read_analysis(const TomlTable& root, Scene& scene);
 /// [body], [body_2], ...

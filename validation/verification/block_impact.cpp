@@ -30,7 +30,7 @@ double exact_loss() {
 /// Energy over time of the two blocks, over its start.
 Curve meet(double dx, bool tension, double& momentum) {
     Model model = water_model(sound_speed);
-    model.tension = tension;
+    model.negative_pressure = tension;
     Setup setup(model, {{-1.2 * length, -0.5}, {1.2 * length, height + 0.5}}, dx, false);
     setup.fill(Phase::water, {{-length, 0}, {0, height}});
     setup.fill(Phase::water, {{0, 0}, {length, height}});

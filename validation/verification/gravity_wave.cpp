@@ -37,7 +37,7 @@ Simulation tank(bool with_air, double viscosity, double dx) {
     const double wave_speed = std::sqrt(gravity * depth), weight = water_density * gravity * depth;
     Model model = with_air ? two_phase_model(10 * wave_speed, 56 * wave_speed, 0.05 * weight, gravity)
                            : water_model(10 * wave_speed, gravity);
-    model.tension = with_air;
+    model.negative_pressure = with_air;
     if (viscosity > 0) {
         model.viscosity = Viscosity::symmetric;
         model.water.viscosity = viscosity * water_density;

@@ -115,7 +115,7 @@ struct Oscillation {
 
 Simulation basin(double dx) {
     Model model = water_model(10 * std::sqrt(gravity * depth), gravity);
-    model.tension = false;
+    model.negative_pressure = false;
     Setup setup(model, {{0, 0}, {width, depth + side}}, dx, true);
     setup.fill(Phase::water, {{0, 0}, {width, depth}});
     RigidBody body;

@@ -129,7 +129,7 @@ double interface_stress(const Simulation& simulation) {
     in.wall_force_x = fx.data();
     in.wall_force_y = fy.data();
     in.fixed_walls = 0;  // these walls are meant
-    const PairLoops loops = pair_loops(simulation.model());
+    const PairPasses loops = pair_passes(simulation.model(), simulation.instruction_set());
     loops.accelerations(in);
     loops.body_forces(in);
     double force = 0;

@@ -31,7 +31,7 @@ std::vector<double> half_axes(const std::vector<double>& times) {
 
 Simulation drop(double dx) {
     Model model = water_model(sound_speed);
-    model.tension = false;
+    model.negative_pressure = false;
     model.central_frequency = frequency;
     Setup setup(model, {{-2 * radius, -2 * radius}, {2 * radius, 2 * radius}}, dx, false);
     for (double x = -radius + 0.5 * dx; x < radius; x += dx) {

@@ -32,7 +32,7 @@ void run(Findings& findings) {
     }
     for (const double dx : findings.levels({0.1, 0.05, 0.025})) {
         Model model = water_model(20 * wave_speed, gravity);
-        model.tension = false;
+        model.negative_pressure = false;
         Setup setup(model, {{-reservoir, 0}, {bed, 2 * depth}}, dx, true);
         setup.fill(Phase::water, {{-reservoir, 0}, {0, depth}});
         set_initial_pressure(setup.fluid, model, [](Phase, Vec2 at) {

@@ -12,7 +12,7 @@ namespace wetdeck::verification {
 
 inline constexpr double water_density = 1000, air_density = 1;  // [kg/m^3]
 
-/// Water alone, the scheme's defaults, one thread. Tension is allowed.
+/// Water alone, the scheme's defaults, one thread. Negative pressure is allowed.
 Model water_model(double sound_speed, double gravity = 0);
 
 /// Water and air, the scheme's defaults, one thread.
@@ -34,7 +34,11 @@ struct Setup {
     /// Puts a body where its position says, unturned, and takes away the fluid there. The outline is about
     /// its mass centre.
     void put(const RigidBody& body, const Outline& outline);
-    Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain, bodies); }
+    Execution execution;
+
+    Simulation simulate() const {
+        return Simulation({model, fluid, walls, particle_spacing, domain, bodies, execution});
+    }
 };
 
 /// Uniform numbers that are the same everywhere.

@@ -56,11 +56,11 @@ TEST_CASE("what a scene leaves out of [model] is the solver's default") {
     REQUIRE(scene.model.wall_pressure == usual.wall_pressure);
     REQUIRE(scene.model.smoothing_ratio == usual.smoothing_ratio);
     REQUIRE(scene.model.courant_number == usual.courant_number);
-    REQUIRE(scene.model.tension == usual.tension);
+    REQUIRE(scene.model.negative_pressure == usual.negative_pressure);
     REQUIRE(scene.model.air_substeps == 0);  // as the sound speeds go
-    REQUIRE(scene.model.skin == usual.skin);
-    REQUIRE(read({}, "single-phase").model.skin ==
-            2 * usual.skin);  // few particles move fast where no air is
+    REQUIRE(scene.execution.skin == Execution{}.skin);
+    REQUIRE(read({}, "single-phase").execution.skin ==
+            2 * Execution{}.skin);  // few particles move fast where no air is
 }
 
 TEST_CASE("frames are the listed ones, the start and the end, sorted and once each") {
@@ -93,7 +93,7 @@ TEST_CASE("an override replaces a number, also one that the file leaves out") {
 
 TEST_CASE("an override replaces a boolean") {
     REQUIRE_FALSE(read({"model.air=false"}).air);
-    REQUIRE_FALSE(read({"model.tension=false"}).model.tension);
+    REQUIRE_FALSE(read({"model.negative_pressure=false"}).model.negative_pressure);
 }
 
 TEST_CASE("an override takes a text in quotes and a bare word alike") {

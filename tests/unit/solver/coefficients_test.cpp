@@ -2,7 +2,7 @@
 // From the model's choices to the numbers of the pair loops.
 #include <catch2/catch.hpp>
 
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/pair_passes.hpp"
 #include "solver/physics/riemann.hpp"
 #include "tests/support/samples.hpp"
 
@@ -34,7 +34,7 @@ TEST_CASE("Impedance weights with full dissipation give the acoustic Riemann sta
     const double u_star = (zl * ul + zr * ur + pl - pr) / (zl + zr);
     const double p_star = pl + zl * (ul - u_star);
     CHECK(p_star == Approx(pr - zr * (ur - u_star)).epsilon(1e-12));
-    CHECK(ul - velocity_deficit(ul - ur, pl - pr, c.weight_right, c.mobility) ==
+    CHECK(ul - velocity_left_less_star(ul - ur, pl - pr, c.weight_right, c.mobility) ==
           Approx(u_star).epsilon(1e-12));
     CHECK(weighted_pressure(pl, pr, c.pressure_weight_left, c.pressure_weight_right) +
               riemann_dissipation(ul - ur, c.limiter) ==

@@ -40,8 +40,8 @@ struct Listed {
 
     Listed(samples::Setup made, int threads)
         : setup(std::move(made)), list(setup.domain, spacing, support, skin, true) {
-        list.place_fixed(setup.walls);
-        list.build(setup.fluid, setup.walls, pair_loops(setup.model), threads);
+        list.sort_fixed_walls(setup.walls);
+        list.build(setup.fluid, setup.walls, pair_passes(setup.model).filter_near, threads);
     }
 };
 
@@ -56,10 +56,11 @@ std::size_t missing(const Listed& listed, double reach) {
     const WallParticles& walls = listed.setup.walls;
     std::size_t count = 0;
     for (const Cluster& c : listed.list.clusters()) {
-        const std::uint32_t fluid_count = c.fluid_neighbours[0] + c.fluid_neighbours[1];
-        const std::set<std::uint32_t> near(c.neighbours, c.neighbours + fluid_count);
-        const std::set<std::uint32_t> near_walls(c.neighbours + fluid_count,
-                                                 c.neighbours + fluid_count + c.wall_neighbours);
+        const NeighbourBlocks& blocks = listed.list.blocks();
+        std::set<std::uint32_t> near, near_walls;
+        for (std::size_t phase = 0; phase < phase_count; ++phase)
+            for (const std::uint32_t j : fluid_neighbours(blocks, c, phase)) near.insert(j);
+        for (const std::uint32_t w : wall_neighbours(blocks, c)) near_walls.insert(w);
         for (std::uint32_t i = c.first; i < c.first + c.count; ++i) {
             const Vec2 here = fluid.state[i].position();
             for (std::uint32_t j = 0; j < fluid.size(); ++j) {
@@ -77,9 +78,9 @@ std::size_t missing_of_walls(const Listed& listed, double reach) {
     const FluidParticles& fluid = listed.setup.fluid;
     std::set<std::pair<std::uint32_t, std::uint32_t>> near;
     for (const Cluster& c : listed.list.wall_clusters()) {
-        for (std::uint32_t k = 0; k < c.fluid_neighbours[0] + c.fluid_neighbours[1]; ++k) {
-            for (std::uint32_t w = c.first; w < c.first + c.count; ++w) near.emplace(w, c.neighbours[k]);
-        }
+        for (std::size_t phase = 0; phase < phase_count; ++phase)
+            for (const std::uint32_t j : fluid_neighbours(listed.list.blocks(), c, phase))
+                for (std::uint32_t w = c.first; w < c.first + c.count; ++w) near.emplace(w, j);
     }
     std::size_t count = 0;
     for (std::uint32_t w = 0; w < listed.setup.walls.size(); ++w) {
