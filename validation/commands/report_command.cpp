@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "reports/figures/selection.hpp"
 #include "reports/report.hpp"
-#include "reports/selection.hpp"
 #include "solver/core/errors.hpp"
 #include "solver/passes/pair_passes.hpp"
 #include "validation/commands/pictures.hpp"
@@ -199,11 +199,12 @@ Summary make_report(const fs::path& directory) {
     inputs.machine = {{"cpu", program.cpu}, {"cores", std::to_string(program.cores)}};
     inputs.plotly = report::load_plotly();
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
+    if (!fs::exists(directory / "suite.json")) inputs.subject = summary.tier;
     for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
     for (const StressRow& row : summary.stress) {
         std::ifstream picture(directory / row.picture, std::ios::binary);
         if (row.picture.empty() || !picture) continue;
-        inputs.deaths[row.picture] = {std::istreambuf_iterator<char>(picture), {}};
+        inputs.instabilities[row.picture] = {std::istreambuf_iterator<char>(picture), {}};
     }
     for (const RunSummary* run : finest_runs(summary)) {
         inputs.pictures[run->directory] =

@@ -4,49 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <fstream>
 
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/child_process.hpp"
 
 namespace wetdeck {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// For the shell: in single quotes, whatever it holds.
-std::string in_quotes(const std::string& text) {
-    std::string result = "'";
-    for (const char letter : text) result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    return result + "'";
-}
-
-struct Answer {
-    int status = 0;
-    std::string text;  ///< of stdout and stderr, without the last line's end
-};
-
-Answer ask(const std::string& command) {
-    FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) throw EnvironmentError("cannot start a shell for: " + command);
-    Answer answer;
-    std::array<char, 512> buffer{};
-    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) answer.text += buffer.data();
-    answer.status = ::pclose(pipe);
-    while (answer.text.ends_with('\n')) answer.text.pop_back();
-    return answer;
-}
-
 /// The number of the job that a submission names.
 std::string submit(const std::string& arguments) {
-    const Answer answer = ask("sbatch --parsable " + arguments);
-    const std::string job = answer.text.substr(0, answer.text.find(';'));
+    const ShellResult answer = run_in_shell("sbatch --parsable " + arguments);
+    const std::string job = answer.output.substr(0, answer.output.find(';'));
     const bool number = !job.empty() && job.find_first_not_of("0123456789") == std::string::npos;
-    if (answer.status != 0 || !number)
+    if (!answer.succeeded() || !number)
         throw EnvironmentError("Slurm does not take the job: " +
-                               answer.text.substr(0, answer.text.find('\n')));
+                               answer.output.substr(0, answer.output.find('\n')));
     return job;
 }
 
@@ -55,22 +31,22 @@ std::string still_at_work(const fs::path& file) {
     std::ifstream in(file);
     std::string jobs;
     if (!std::getline(in, jobs) || jobs.find_first_not_of("0123456789,") != std::string::npos) return "";
-    const Answer answer = ask("squeue -h -o %i -j " + jobs);
-    return answer.status == 0 ? answer.text : "";  // Slurm forgets jobs that have ended: an error, too
+    const ShellResult answer = run_in_shell("squeue -h -o %i -j " + jobs);
+    return answer.succeeded() ? answer.output : "";  // Slurm forgets jobs that have ended: an error, too
 }
 
 std::string suite_command(const SuiteOptions& options) {
     std::string command =
         fmt::format("{} suite --tier {} --out {} --threads {} --checkpoint-interval {}",
-                    in_quotes(fs::read_symlink("/proc/self/exe").string()), in_quotes(options.tier),
-                    in_quotes(fs::absolute(options.directory).string()), std::max(1, options.threads),
+                    shell_quoted(fs::read_symlink("/proc/self/exe").string()), shell_quoted(options.tier),
+                    shell_quoted(fs::absolute(options.directory).string()), std::max(1, options.threads),
                     options.checkpoint_interval);
     std::string scenes;
     for (const std::string& scene : options.scenes) {
         const bool file = fs::exists(scene);
         scenes += (scenes.empty() ? "" : ",") + (file ? fs::absolute(scene).string() : scene);
     }
-    if (!scenes.empty()) command += " --only " + in_quotes(scenes);
+    if (!scenes.empty()) command += " --only " + shell_quoted(scenes);
     if (options.fresh) command += " --fresh";
     return command;
 }
@@ -94,7 +70,7 @@ std::vector<std::vector<std::size_t>> grouped(const std::vector<double>& core_se
 
 void submit_suite(const SuiteOptions& options, const SlurmOptions& slurm) {
     const fs::path folder = fs::absolute(options.directory) / "slurm";
-    if (ask("command -v sbatch").status != 0)
+    if (!program_found("sbatch"))
         throw EnvironmentError(
             "--executor slurm: there is no sbatch on this machine; leave the option away to "
             "run here");
@@ -120,21 +96,23 @@ void submit_suite(const SuiteOptions& options, const SlurmOptions& slurm) {
     script += "esac\nworst=0\nfor row in $rows; do\n    " + suite_command(options) +
               " --row $row || worst=$?\ndone\nexit $worst\n";
     atomic_write(folder / "task.sh", script);
-    const std::string partition = slurm.partition.empty() ? "" : "-p " + in_quotes(slurm.partition) + " ";
-    const auto output = [&](const char* name) { return "-o " + in_quotes((folder / name).string()) + " "; };
+    const std::string partition = slurm.partition.empty() ? "" : "-p " + shell_quoted(slurm.partition) + " ";
+    const auto output = [&](const char* name) {
+        return "-o " + shell_quoted((folder / name).string()) + " ";
+    };
     std::string dependency, jobs;
     if (!tasks.empty()) {
         const std::string limit = slurm.concurrent > 0 ? fmt::format("%{}", slurm.concurrent) : "";
         jobs = submit(fmt::format("-J wetdeck --array=0-{}{} -c {} {}{}{}", tasks.size() - 1, limit,
                                   std::max(1, options.threads), partition, output("task_%a.log"),
-                                  in_quotes((folder / "task.sh").string())));
+                                  shell_quoted((folder / "task.sh").string())));
         dependency = "--dependency=afterany:" + jobs + " ";
     }
     const std::string report =
-        fmt::format("{} report {}", in_quotes(fs::read_symlink("/proc/self/exe").string()),
-                    in_quotes(fs::absolute(options.directory).string()));
+        fmt::format("{} report {}", shell_quoted(fs::read_symlink("/proc/self/exe").string()),
+                    shell_quoted(fs::absolute(options.directory).string()));
     const std::string collector = submit("-J wetdeck-report " + dependency + partition +
-                                         output("report.log") + "--wrap " + in_quotes(report));
+                                         output("report.log") + "--wrap " + shell_quoted(report));
     atomic_write(folder / "jobs", (jobs.empty() ? "" : jobs + ",") + collector + "\n");
     fmt::print("{} of {} runs submitted in {} tasks{}, the report as job {}\n", numbers.size(), rows.size(),
                tasks.size(), jobs.empty() ? "" : " of job " + jobs, collector);
