@@ -173,7 +173,7 @@ TEST_CASE("runs killed at random moments end with the same bits", "[faults]") {
         require_same_run(whole[n], killed);
         std::filesystem::remove_all(killed);
     }
-    WARN(attempts << " kills, " << resumed << " runs gone on with from a checkpoint, " << finished
+    WARN(attempts << " kills, " << resumed << " runs continued from a checkpoint, " << finished
                   << " finished before, the rest begun again");
     REQUIRE(resumed > 0);
 }

@@ -40,7 +40,7 @@ json references_of(const Scene& scene) {
     return all;
 }
 
-/// The series that every run of the scene records besides its probes.
+/// What every run of the scene records beside its probes.
 json series_of(const Scene& scene) {
     json all = json::array();
     const auto add = [&all](const std::vector<SeriesInfo>& list) {
@@ -127,10 +127,9 @@ void print_set_up(const json& all) {
                number(all["water"]["density"]), number(all["water"]["sound_speed"]),
                number(all["background_pressure"]));
     if (all.contains("air")) {
-        fmt::print(
-            "  air {:.4g} kg/m3, sound speed {:.4g} m/s; {} time steps of the air per step of the water\n",
-            number(all["air"]["density"]), number(all["air"]["sound_speed"]),
-            all["air"]["substeps"].get<int>());
+        fmt::print("  air {:.4g} kg/m3, sound speed {:.4g} m/s; steps of the air per step of the water: {}\n",
+                   number(all["air"]["density"]), number(all["air"]["sound_speed"]),
+                   all["air"]["substeps"].get<int>());
     }
     for (const json& body : all["bodies"])
         fmt::print("  {} of {} corners, {:.4g} kg/m, {:.4g} kg m about its mass centre\n", text(body["name"]),

@@ -37,7 +37,7 @@ std::uint64_t checksum_of(std::string_view bytes) {
     return sum;
 }
 
-/// Ends the child by a signal if it takes more processor time than any undamaged file does.
+/// Ends the child by a signal if it takes more processor time than any sound file does.
 void limit_child(const std::filesystem::path& file) {
     std::error_code ignored;
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
@@ -51,7 +51,7 @@ void limit_child(const std::filesystem::path& file) {
     ::setrlimit(RLIMIT_CORE, &core);
     for (const int signal : {SIGPROF, SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
         ::signal(signal, SIG_DFL);
-    const int nowhere = ::open("/dev/null", O_WRONLY);  // for the messages of a crash
+    const int nowhere = ::open("/dev/null", O_WRONLY);  // for the last words of a crash
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
@@ -74,14 +74,14 @@ Seal seal_in(const std::filesystem::path& path) {
     return seal_of(body) == std::string_view(bytes).substr(body.size()) ? Seal::whole : Seal::broken;
 }
 
-void try_in_child(const std::filesystem::path& file, const std::function<void()>& read) {
+void rehearse(const std::filesystem::path& file, const std::function<void()>& read) {
     const pid_t child = ::fork();
     if (child < 0) throw environment_error(file, "start a process to read", errno);
     if (child == 0) {
         limit_child(file);
         try {
             read();
-        } catch (...) {  // thrown again when this process reads the file
+        } catch (...) {  // it comes again where it can be told
         }
         ::_exit(0);
     }

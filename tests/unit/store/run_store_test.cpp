@@ -159,15 +159,15 @@ TEST_CASE("damaged samples of a file without a seal are noticed", "[store]") {
 
 TEST_CASE("a reader that crashes or does not end is noticed, and the program goes on", "[store]") {
     const ScratchFolder folder;
-    REQUIRE_THROWS_WITH(try_in_child(folder / "a.h5", [] { ::raise(SIGSEGV); }),
+    REQUIRE_THROWS_WITH(rehearse(folder / "a.h5", [] { ::raise(SIGSEGV); }),
                         (folder / "a.h5").string() + ": damaged, HDF5 crashes on it");
-    REQUIRE_THROWS_WITH(try_in_child(folder / "a.h5",
+    REQUIRE_THROWS_WITH(rehearse(folder / "a.h5",
                                  [] {
                                      for (volatile bool endless = true; endless;) {
                                      }
                                  }),
                         (folder / "a.h5").string() + ": damaged, HDF5 does not come to an end on it");
-    REQUIRE_NOTHROW(try_in_child(folder / "a.h5", [] { throw DataError("reported by the reader itself"); }));
+    REQUIRE_NOTHROW(rehearse(folder / "a.h5", [] { throw DataError("told by the reader itself"); }));
 }
 
 TEST_CASE("a run file that lacks a part says which", "[store]") {
