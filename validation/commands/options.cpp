@@ -45,9 +45,9 @@ void add_run_choice(CLI::App& command, RunChoice& choice, const char* default_sp
     add_until(command, choice.until);
 }
 
-void add_execution(CLI::App& command, Execution& execution) {
-    add_threads(command, execution.threads, "number of threads (default: all processors)");
-    add_checkpoint_interval(command, execution.checkpoint_interval);
+void add_resources(CLI::App& command, Resources& resources) {
+    add_threads(command, resources.threads, "number of threads (default: all processors)");
+    add_checkpoint_interval(command, resources.checkpoint_interval);
 }
 
 void add_verbosity(CLI::App& command, Verbosity& verbosity) {

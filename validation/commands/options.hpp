@@ -27,12 +27,12 @@ void add_run_choice(CLI::App& command, RunChoice& choice, const char* default_sp
 /// --until alone.
 void add_until(CLI::App& command, std::optional<double>& until);
 
-/// How a run is computed. None of it changes the results.
-struct Execution {
+/// Threads and checkpoints of a run.
+struct Resources {
     int threads = 0;                                                ///< 0: all processors
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< wall seconds
 };
-void add_execution(CLI::App& command, Execution& execution);
+void add_resources(CLI::App& command, Resources& resources);
 
 /// What a command prints.
 struct Verbosity {

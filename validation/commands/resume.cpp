@@ -17,7 +17,7 @@ namespace {
 
 struct ResumeOptions {
     std::string directory;
-    Execution execution;
+    Resources resources;
     Verbosity verbosity;
 };
 
@@ -31,7 +31,7 @@ int resume(const ResumeOptions& options) {
         return print_outcome(read_run(run_file(options.directory)), options.directory, options.verbosity);
     }
     const auto [scene, run] = interrupted_run(options.directory);
-    return run_and_print(scene, run, options.execution, options.verbosity);
+    return run_and_print(scene, run, options.resources, options.verbosity);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void add_resume(CLI::App& app, int& exit_code) {
         "resume",
         "continue an interrupted run from its last checkpoint, to the same bits as without interruption");
     add_directory(command, options->directory, "run directory");
-    add_execution(command, options->execution);
+    add_resources(command, options->resources);
     add_verbosity(command, options->verbosity);
     command.callback([options, &exit_code] { exit_code = resume(*options); });
 }

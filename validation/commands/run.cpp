@@ -17,7 +17,7 @@ struct RunCommand {
     RunChoice choice;
     std::vector<std::string> overrides;
     std::string directory;
-    Execution execution;
+    Resources resources;
     bool replace = false;
     Verbosity verbosity;
 };
@@ -40,7 +40,7 @@ int run_command(const RunCommand& options) {
     run.directory = options.directory.empty()
                         ? run_path("results", scene.name(), scene.variant, run.particle_spacing)
                         : std::filesystem::path(options.directory);
-    return run_and_print(scene, run, options.execution, options.verbosity);
+    return run_and_print(scene, run, options.resources, options.verbosity);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ void add_run(CLI::App& app, int& exit_code) {
         ->type_name("KEY=VALUE");
     add_out(command, options->directory, "results/runs/SCENE/VARIANT/dxDX");
     command.add_flag("--replace", options->replace, "replace the run that the directory holds");
-    add_execution(command, options->execution);
+    add_resources(command, options->resources);
     add_verbosity(command, options->verbosity);
     command.footer("If the directory holds a checkpoint of the same run, the run continues from there.");
     command.callback([options, &exit_code] { exit_code = run_command(*options); });

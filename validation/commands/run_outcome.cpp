@@ -57,10 +57,10 @@ int print_outcome(const RunRecord& record, const fs::path& directory, const Verb
     return record.status == RunStatus::ok ? exit_done : exit_unstable;
 }
 
-int run_and_print(const Scene& scene, RunOptions run, const Execution& execution,
+int run_and_print(const Scene& scene, RunOptions run, const Resources& resources,
                   const Verbosity& verbosity) {
-    run.threads = execution.threads;
-    run.checkpoint_interval = execution.checkpoint_interval;
+    run.threads = resources.threads;
+    run.checkpoint_interval = resources.checkpoint_interval;
     Progress progress(fmt::format("{} {} dx {}", scene.name(), scene.variant, run.particle_spacing),
                       verbosity.quiet);
     return print_outcome(run_scene(scene, run, progress), run.directory, verbosity);

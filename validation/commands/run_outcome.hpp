@@ -12,7 +12,7 @@ namespace wetdeck {
 
 /// Runs the scene, from the checkpoint in the directory if there is one, and prints the outcome. Returns the
 /// exit code.
-int run_and_print(const Scene& scene, RunOptions run, const Execution& execution, const Verbosity& verbosity);
+int run_and_print(const Scene& scene, RunOptions run, const Resources& resources, const Verbosity& verbosity);
 
 /// The same for a run that has finished.
 int print_outcome(const RunRecord& record, const std::filesystem::path& directory,

@@ -16,8 +16,8 @@ struct LocalOptions {
 
 /// Runs the rows that are not finished in the order given, interrupted ones from their last checkpoint. A
 /// signal to stop is passed on to the runs; when they have stored their state, Interrupted is thrown. Returns
-/// the worst exit code of a row (0, 3, or 2 and 4 for failures); a `paper` variant that becomes unstable
-/// counts as done.
+/// the worst exit code of a row (0, 3, or 2 and 4 for failures); a row that is expected to become
+/// unstable counts as done.
 int run_rows(const std::vector<SuiteRow>& rows, const LocalOptions& options);
 
 }  // namespace wetdeck

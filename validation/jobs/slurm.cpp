@@ -117,8 +117,11 @@ void submit_suite(const PlanOptions& plan, const SlurmOptions& options) {
     make_directories(folder);
     atomic_write(folder / "task.sh", task_script(tasks, left.numbers, suite_command(plan, options.row)));
 
-    const std::string partition = options.partition.empty() ? "" : "-p " + shell_quoted(options.partition) + " ";
-    const auto output = [&](const char* name) { return "-o " + shell_quoted((folder / name).string()) + " "; };
+    const std::string partition =
+        options.partition.empty() ? "" : "-p " + shell_quoted(options.partition) + " ";
+    const auto output = [&](const char* name) {
+        return "-o " + shell_quoted((folder / name).string()) + " ";
+    };
     std::string dependency, jobs;
     if (!tasks.empty()) {
         const std::string limit = options.concurrent > 0 ? fmt::format("%{}", options.concurrent) : "";
