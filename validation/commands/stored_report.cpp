@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "validation/commands/report_command.hpp"
+#include "validation/commands/stored_report.hpp"
 
 #include <fmt/format.h>
 
@@ -218,7 +218,7 @@ Summary make_report(const fs::path& directory) {
 std::vector<std::string> outside_tolerance(const Summary& summary) {
     std::vector<std::string> outside;
     for (const VerificationProblem& problem : summary.verification) {
-        if (!problem.unstable.empty()) outside.push_back(problem.name + ": a run died");
+        if (!problem.unstable.empty()) outside.push_back(problem.name + ": a run became unstable");
         for (const VerificationRow& row : problem.rows) {
             if (!row.within) outside.push_back(fmt::format("{}: {}", problem.name, row.claim.quantity));
         }

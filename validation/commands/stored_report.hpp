@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From stored runs to summary.json and index.html, without running anything.
+// From the stored runs of a directory to summary.json and index.html; nothing is run.
 #pragma once
 
 #include <filesystem>
