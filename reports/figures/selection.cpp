@@ -72,6 +72,10 @@ Runs runs_of(const Summary& summary, const AnalysisSpec& scene) {
     return runs;
 }
 
+bool unstable_as_expected(const RunSummary& run) {
+    return run.expected_unstable && run.record.status == RunStatus::unstable;
+}
+
 std::vector<std::string> variants_of(const Runs& runs) {
     std::vector<std::string> variants;
     for (const RunSummary* run : runs) {

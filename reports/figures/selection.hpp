@@ -20,6 +20,9 @@ std::vector<AnalysisSpec> scenes_of(const Summary& summary);
 /// The runs of a scene: default variant first, then by name; coarse to fine.
 Runs runs_of(const Summary& summary, const AnalysisSpec& scene);
 
+/// A run of a variant that the scene declares unstable: its instability is a result and no failure.
+bool unstable_as_expected(const RunSummary& run);
+
 /// Variants in the order of `runs`.
 std::vector<std::string> variants_of(const Runs& runs);
 Runs with_variant(const Runs& runs, const std::string& variant);

@@ -16,17 +16,26 @@ std::string run_label(const RunSummary& run) {
                        escape(spacing_text(run.record.particle_spacing)));
 }
 
-/// Runs that did not complete and runs that are missing.
-std::string incomplete_runs(const Summary& summary) {
+bool completed(const RunSummary& run) {
+    return run.record.status == RunStatus::ok;
+}
+
+Table stopped_runs(const Summary& summary, bool as_expected) {
     Table table({"run", "status", "reason"});
     for (const AnalysisSpec& scene : scenes_of(summary)) {
         for (const RunSummary* run : runs_of(summary, scene)) {
-            if (run->record.status == RunStatus::ok) continue;
+            if (completed(*run) || unstable_as_expected(*run) != as_expected) continue;
             table.add(
                 {markup(run_label(*run), "name"), status_cell(run->record),
                  text(run->record.stop_reason.empty() ? "no reason recorded" : run->record.stop_reason)});
         }
     }
+    return table;
+}
+
+/// Runs that did not complete, other than those that were expected to become unstable, and missing runs.
+std::string incomplete_runs(const Summary& summary) {
+    Table table = stopped_runs(summary, false);
     for (const std::string& missing : summary.missing) {
         table.add({text(missing), markup("<span class=\"badge bad\">missing</span>"),
                    text("part of the tier, not found in the directory")});
@@ -69,7 +78,7 @@ std::vector<Row> failures_of(const RunSummary& run) {
 std::string outside_table(const Runs& runs) {
     Table table({"run", "quantity or curve", "compared with", "value", "tolerance"});
     for (const RunSummary* run : runs) {
-        if (run->record.status != RunStatus::ok) continue;
+        if (!completed(*run)) continue;
         std::vector<Row> rows = failures_of(*run);
         for (Row& row : rows) {
             if (&row == &rows.front()) row.insert(row.begin(), markup(run_label(*run), "name", rows.size()));
@@ -88,11 +97,36 @@ Runs others(const Runs& all, const Runs& some) {
     return out;
 }
 
+/// What the tables of values and curves leave out.
+std::string notes_on(const std::vector<RunSummary>& runs) {
+    std::string notes;
+    const auto stopped =
+        std::count_if(runs.begin(), runs.end(), [](const RunSummary& run) { return !completed(run); });
+    if (stopped > 0) {
+        notes += paragraph(
+            fmt::format("Values and curves of the runs that became unstable or failed ({}) are not listed "
+                        "again as outside tolerance.",
+                        stopped),
+            "soft");
+    }
+    const auto early = std::count_if(runs.begin(), runs.end(),
+                                     [](const RunSummary& run) { return stopped_early(run.record); });
+    if (early > 0) {
+        notes += paragraph(
+            fmt::format("{} of the runs were stopped on request before the end time of their scene; values "
+                        "that need a later time are not judged.",
+                        early),
+            "soft");
+    }
+    return notes;
+}
+
 }  // namespace
 
 void add_failures(Page& page, const Summary& summary) {
     page.section(2, "Failures");
     const std::string incomplete = incomplete_runs(summary);
+    const Table expected = stopped_runs(summary, true);
     std::string finest;
     std::string coarser;
     for (const AnalysisSpec& scene : scenes_of(summary)) {
@@ -104,29 +138,14 @@ void add_failures(Page& page, const Summary& summary) {
         page.add("<h4>Runs that became unstable or failed, and missing runs</h4>\n" + incomplete);
     if (!finest.empty()) page.add("<h4>Outside tolerance at the finest spacing of a variant</h4>\n" + finest);
     if (!coarser.empty()) page.add(details("Outside tolerance at coarser spacings", coarser));
-    const auto stopped = std::count_if(summary.runs.begin(), summary.runs.end(), [](const RunSummary& run) {
-        return run.record.status != RunStatus::ok;
-    });
-    if (stopped > 0) {
-        page.add(
-            paragraph(fmt::format("Values and curves of the runs that became unstable or failed ({}) are "
-                                  "not listed again as outside tolerance.",
-                                  stopped),
-                      "soft"));
-    }
-    const auto early = std::count_if(summary.runs.begin(), summary.runs.end(),
-                                     [](const RunSummary& run) { return stopped_early(run.record); });
-    if (early > 0) {
-        page.add(paragraph(
-            fmt::format("{} of the runs were stopped on request before the end time of their scene; "
-                        "values that need a later time are not judged.",
-                        early),
-            "soft"));
-    }
+    if (!expected.empty())
+        page.add(details("Runs that became unstable as their scene expects", expected.html()));
     if (incomplete.empty() && finest.empty() && coarser.empty()) {
-        page.add(
-            paragraph("Every run completed, and every value and curve with a tolerance lies within it."));
+        page.add(paragraph(
+            fmt::format("Every {}run completed, and every value and curve with a tolerance lies within it.",
+                        expected.empty() ? "" : "other ")));
     }
+    page.add(notes_on(summary.runs));
 }
 
 }  // namespace wetdeck::report

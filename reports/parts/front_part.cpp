@@ -104,7 +104,7 @@ std::string revisions_table(const Summary& summary) {
 std::string cards(const Summary& summary) {
     Tally completed, quantities, references, peers, criteria;
     for (const RunSummary& run : summary.runs) {
-        completed.take(run.record.status == RunStatus::ok);
+        if (!unstable_as_expected(run)) completed.take(run.record.status == RunStatus::ok);
         for (const QuantityResult& q : run.quantities) quantities.take(q.within);
         for (const ComparisonResult& c : run.comparisons)
             (c.kind == "peer-simulation" ? peers : references).take(verdict_of(c));
@@ -114,7 +114,11 @@ std::string cards(const Summary& summary) {
     }
     std::string out = "<div class=\"cards\">\n";
     if (about_runs(summary)) {
-        out += tally_card(completed, "runs completed");
+        const auto expected = std::count_if(summary.runs.begin(), summary.runs.end(), unstable_as_expected);
+        out += tally_card(completed, expected == 0 ? "runs completed"
+                                                   : fmt::format("runs completed, besides {} that became "
+                                                                 "unstable as expected",
+                                                                 expected));
         out += card(std::to_string(summary.missing.size()), "runs missing",
                     summary.missing.empty() ? "good" : "bad");
         out += tally_card(quantities, "expected values within tolerance, all spacings");

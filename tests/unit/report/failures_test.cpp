@@ -55,6 +55,23 @@ TEST_CASE("A run that became unstable comes first, with its reason", "[report]")
     CHECK(contains(page, "<b>3 of 4</b><span>runs completed</span>"));
 }
 
+TEST_CASE("A run that its scene expects to become unstable is no failure", "[report]") {
+    Summary summary = samples::summary();
+    RunSummary& run = summary.runs[0];
+    run.record.status = RunStatus::unstable;
+    run.record.stop_reason = "density error 0.3 at t = 0.1 s";
+    run.expected_unstable = true;
+    const std::string page = page_of(summary);
+    const std::string failures = failures_of(page);
+    CHECK_FALSE(contains(failures, "Runs that became unstable or failed"));
+    CHECK(contains(between(failures, "Runs that became unstable as their scene expects", "</table>"),
+                   "density error 0.3 at t = 0.1 s"));
+    CHECK(contains(failures, "Every other run completed"));
+    CHECK(contains(page, "<b>3 of 3</b><span>runs completed, besides 1 that became unstable as expected"));
+    run.record.status = RunStatus::failed;  // any other end is a failure all the same
+    CHECK(contains(failures_of(page_of(summary)), "Runs that became unstable or failed"));
+}
+
 TEST_CASE("Values that an unstable run lacks are not listed again, and the page says so", "[report]") {
     Summary summary = samples::summary();
     RunSummary& unstable = summary.runs[0];
