@@ -75,13 +75,13 @@ PlotSeries reference_series(const ComparisonResult& c, std::size_t place) {
     s.colour = "#111111";
     s.marker = static_cast<Marker>(place % 4);
     s.point_size = 5;
-    if (c.kind == "experiment") {
+    if (c.kind == ReferenceKind::experiment) {
         s.style = Style::points;
         s.label = reference_name(c.title, c.reference) + " (experiment)";
-    } else if (c.kind == "analytic") {
+    } else if (c.kind == ReferenceKind::analytic) {
         s.style = Style::dashed;
         s.label = reference_name(c.title, c.reference) + " (analytic)";
-    } else if (c.kind == "peer-simulation") {
+    } else if (c.kind == ReferenceKind::peer_simulation) {
         s.colour = greys[place % greys.size()];
         s.width = 1.1;
         s.label = reference_name(c.title, c.reference) + " (peer simulation)";
@@ -90,7 +90,7 @@ PlotSeries reference_series(const ComparisonResult& c, std::size_t place) {
         s.colour = "#8e44ad";
         s.filled = false;
         s.label =
-            reference_name(c.title, c.reference) + " (" + (c.kind.empty() ? "unknown kind" : c.kind) + ")";
+            reference_name(c.title, c.reference) + " (" + (c.kind ? name_of(c.kind) : "unknown kind") + ")";
     }
     return s;
 }
@@ -106,10 +106,10 @@ void add_spread(PlotSeries& s, double relative) {
 std::vector<PlotSeries> with_references(const Group& group, std::vector<PlotSeries> simulations) {
     std::vector<PlotSeries> behind;
     std::vector<PlotSeries> in_front;
-    std::map<std::string, std::size_t> places;
+    std::map<std::optional<ReferenceKind>, std::size_t> places;
     for (const ComparisonResult* c : group) {
         PlotSeries s = reference_series(*c, places[c->kind]++);
-        if (c->kind == "experiment" && c->reference_uncertainty) {
+        if (c->kind == ReferenceKind::experiment && c->reference_uncertainty) {
             const bool few = s.data.x.size() <= 60;
             PlotSeries spread = s;
             add_spread(spread, *c->reference_uncertainty);
@@ -122,7 +122,7 @@ std::vector<PlotSeries> with_references(const Group& group, std::vector<PlotSeri
                 behind.push_back(std::move(spread));
             }
         }
-        (c->kind == "peer-simulation" ? behind : in_front).push_back(std::move(s));
+        (c->kind == ReferenceKind::peer_simulation ? behind : in_front).push_back(std::move(s));
     }
     std::move(simulations.begin(), simulations.end(), std::back_inserter(behind));
     std::move(in_front.begin(), in_front.end(), std::back_inserter(behind));

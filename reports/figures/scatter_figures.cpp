@@ -15,7 +15,8 @@ namespace {
 using Points = std::vector<const ScatterPoint*>;
 
 bool not_measured(const ScatterPoint& point) {
-    return !point.counted && (point.kind == "peer-simulation" || point.kind == "stated");
+    return !point.counted &&
+           (point.kind == ReferenceKind::peer_simulation || point.kind == ReferenceKind::stated);
 }
 
 bool drawable(const ScatterPoint& point) {

@@ -195,13 +195,13 @@ std::string write_svg(const Figure& figure, const std::filesystem::path& path) {
     const ShellResult result = run_in_shell("gnuplot " + shell_quoted(script.string()));
     std::error_code ignored;
     std::filesystem::remove(script, ignored);
-    const std::optional<std::string> drawn = read_whole_file(drawing);
+    const std::string drawn = std::filesystem::exists(drawing) ? read_whole_file(drawing) : "";
     std::filesystem::remove(drawing, ignored);
     if (!result.succeeded())
         throw EnvironmentError(fmt::format("{}: gnuplot failed (status {}): {}", path.string(), result.status,
                                            last_line(result.output)));
-    if (!drawn) throw EnvironmentError(path.string() + ": gnuplot drew nothing");
-    std::string svg = smaller_svg(*drawn);
+    if (drawn.empty()) throw EnvironmentError(path.string() + ": gnuplot drew nothing");
+    std::string svg = smaller_svg(drawn);
     // The drawing is seen on machines that lack the font.
     replace_all(svg, "font-family=\"DejaVu Sans", "font-family=\"DejaVu Sans,Verdana,sans-serif");
     atomic_write(path, svg);

@@ -12,7 +12,7 @@ std::string load_plotly() {
     const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored);
     const auto installed = program.parent_path().parent_path() / "share/wetdeck/plotly.min.js";
     for (const std::filesystem::path& candidate : {installed, std::filesystem::path(WETDECK_PLOTLY_FILE)}) {
-        if (const auto text = read_whole_file(candidate)) return *text;
+        if (std::filesystem::is_regular_file(candidate, ignored)) return read_whole_file(candidate);
     }
     return {};
 }

@@ -56,7 +56,7 @@ std::optional<Row> quantity_failure(const QuantityResult& q, const RunRecord& re
 
 std::optional<Row> comparison_failure(const ComparisonResult& c) {
     if (verdict_of(c).value_or(true)) return std::nullopt;
-    return Row{text(c.title), text(fmt::format("{}, {}", c.reference, c.kind)),
+    return Row{text(c.title), text(fmt::format("{}, {}", c.reference, name_of(c.kind))),
                c.nrmse ? markup(fmt::format("NRMSE {}", number(*c.nrmse)), "number")
                        : text(fmt::format("not computed: {}", c.note)),
                value(c.tolerance)};

@@ -107,7 +107,7 @@ std::string cards(const Summary& summary) {
         if (!unstable_as_expected(run)) completed.take(run.record.status == RunStatus::ok);
         for (const QuantityResult& q : run.quantities) quantities.take(q.within);
         for (const ComparisonResult& c : run.comparisons)
-            (c.kind == "peer-simulation" ? peers : references).take(verdict_of(c));
+            (c.kind == ReferenceKind::peer_simulation ? peers : references).take(verdict_of(c));
     }
     for (const VerificationProblem& problem : summary.verification) {
         for (const VerificationRow& row : problem.rows) criteria.take(row.within);

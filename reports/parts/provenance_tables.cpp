@@ -53,7 +53,7 @@ std::string references_table(const Runs& runs) {
             quantities += (quantities.empty() ? "" : ", ") + quantity;
         const bool cited = c->available && !c->citation.empty();
         table.add({text(name), markup(escape(cited ? c->citation : fmt::format("— {}", c->note)), "wide"),
-                   text(c->kind.empty() ? "—" : c->kind), text(c->available ? uncertainty_text(*c) : "—"),
+                   text(c->kind ? name_of(c->kind) : "—"), text(c->available ? uncertainty_text(*c) : "—"),
                    text(quantities), text(hash_text(*c, runs))});
     }
     return table.empty() ? "" : "<h4>References</h4>\n" + table.html();

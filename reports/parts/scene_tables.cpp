@@ -77,7 +77,7 @@ Cell comparison_verdict(const ComparisonResult& c) {
     return cell;
 }
 
-std::string comparisons_of_kind(const Runs& runs, const std::string& kind) {
+std::string comparisons_of_kind(const Runs& runs, std::optional<ReferenceKind> kind) {
     Table table({"comparison", "dx", "NRMSE", "tolerance", "verdict", "peak error", "peak time error"});
     std::size_t largest = 0;  // an unstable run may have fewer comparisons
     for (const RunSummary* run : runs) largest = std::max(largest, run->comparisons.size());
@@ -103,16 +103,17 @@ std::string comparisons_of_kind(const Runs& runs, const std::string& kind) {
 }
 
 std::string comparisons_of_variant(const Runs& runs) {
-    std::set<std::string> kinds;
+    std::set<std::optional<ReferenceKind>> kinds;
     for (const RunSummary* run : runs) {
         for (const ComparisonResult& c : run->comparisons) kinds.insert(c.kind);
     }
     // Measurements first; peer simulations never share a table with them.
     std::string out;
-    for (const char* kind : {"experiment", "analytic", "stated", "peer-simulation"}) {
-        if (kinds.erase(kind) != 0) out += comparisons_of_kind(runs, kind);
+    for (const ReferenceKind kind : {ReferenceKind::experiment, ReferenceKind::analytic,
+                                     ReferenceKind::stated, ReferenceKind::peer_simulation}) {
+        if (kinds.contains(kind)) out += comparisons_of_kind(runs, kind);
     }
-    for (const std::string& kind : kinds) out += comparisons_of_kind(runs, kind);
+    if (kinds.contains(std::nullopt)) out += comparisons_of_kind(runs, std::nullopt);
     return out.empty() ? paragraph("No comparisons.", "soft") : out;
 }
 
@@ -130,15 +131,11 @@ std::optional<bool> verdict_of(const ComparisonResult& comparison) {
 
 std::string uncertainty_text(const ComparisonResult& c) {
     if (c.reference_uncertainty) return fmt::format("{} %", number(100 * *c.reference_uncertainty));
-    return c.kind == "analytic" ? "none" : "unknown";
+    return c.kind && describe(*c.kind).exact ? "none" : "unknown";
 }
 
-std::string kind_name(const std::string& kind) {
-    if (kind == "experiment") return "measurements";
-    if (kind == "peer-simulation") return "other simulations (peer simulations, no validation)";
-    if (kind == "analytic") return "exact or analytic solutions";
-    if (kind == "stated") return "values stated in the source";
-    return kind.empty() ? "references of unknown kind" : kind;
+std::string kind_name(std::optional<ReferenceKind> kind) {
+    return kind ? describe(*kind).heading : "references of unknown kind";
 }
 
 std::string deviations_table(const AnalysisSpec& scene) {

@@ -38,6 +38,6 @@ std::optional<bool> verdict_of(const ComparisonResult& comparison);
 /// Relative standard uncertainty of the reference: "5 %", "none" or "unknown".
 std::string uncertainty_text(const ComparisonResult& comparison);
 /// A kind of reference in words: "measurements", "other simulations ...".
-std::string kind_name(const std::string& kind);
+std::string kind_name(std::optional<ReferenceKind> kind);
 
 }  // namespace wetdeck::report

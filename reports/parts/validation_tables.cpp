@@ -39,7 +39,7 @@ std::string validation_table(const Summary& summary, const AnalysisSpec& scene) 
                     "compact");
         for (const ValidationRow& row : summary.validation) {
             if (row.scene != scene.scene || row.variant != variant) continue;
-            const std::string kind = row.kind.empty() ? ", kind not stated" : "";
+            const std::string kind = row.kind ? "" : ", kind not stated";
             table.add({markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}{}</span>",
                                           escape(row.quantity), escape(row.against), kind),
                               "wide"),

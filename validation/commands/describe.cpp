@@ -43,9 +43,10 @@ json references_of(const Scene& scene) {
 /// What every run of the scene records beside its probes.
 json series_of(const Scene& scene) {
     json all = json::array();
-    const auto add = [&all](const std::vector<SeriesInfo>& list) {
-        for (const SeriesInfo& s : list)
-            all.push_back({{"name", s.name}, {"unit", s.unit}, {"description", s.description}});
+    const auto add = [&all](const auto& table) {
+        for (const auto& row : table)
+            all.push_back(
+                {{"name", row.info.name}, {"unit", row.info.unit}, {"description", row.info.description}});
     };
     add(every_run_series());
     if (!scene.bodies.empty()) {
@@ -103,8 +104,8 @@ json description(const std::string& name) {
                                  {"mass", body.body.mass},
                                  {"inertia", body.body.inertia},
                                  {"corners", body.outline.size()}});
-    for (const ProbeSpec& probe : scene.probes)
-        all["probes"].push_back({{"name", probe.name}, {"note", probe.note}});
+    for (const Probe& probe : scene.probes)
+        all["probes"].push_back({{"name", probe.series.name}, {"note", probe.note}});
     for (const Deviation& d : scene.analysis.deviations)
         all["deviations"].push_back(
             {{"item", d.item}, {"source", d.source}, {"used", d.used}, {"reason", d.reason}});

@@ -144,9 +144,7 @@ void publish(const Summary& summary, const fs::path& directory, const fs::path& 
     for (const auto& entry : fs::directory_iterator(directory / "figures")) {
         if (!chosen(entry.path().stem().string())) continue;
         const std::string name = entry.path().filename().string();
-        const std::optional<std::string> bytes = read_whole_file(entry.path());
-        if (!bytes) throw EnvironmentError(entry.path().string() + ": cannot be read");
-        atomic_write(folder / name, *bytes);
+        atomic_write(folder / name, read_whole_file(entry.path()));
         figures.insert(name);
     }
     for (const auto& entry : fs::directory_iterator(folder)) {

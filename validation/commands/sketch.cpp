@@ -77,33 +77,6 @@ class Drawing {
 constexpr const char* probe_line = "stroke=\"#c0392b\" stroke-width=\"3\"";
 constexpr const char* probe_column = "stroke=\"#c0392b\" stroke-width=\"1\" stroke-dasharray=\"3 4\"";
 
-/// Draws the probe and returns the position of its number [m]; nothing for a probe without a position.
-std::optional<Vec2> draw_probe(Drawing& drawing, const Scene& scene, const ProbeSpec& probe) {
-    const auto on_body = [&](Vec2 point) {
-        const BodySpec& body = scene.bodies.at(probe.body);
-        return body.body.placed(body.in_body_frame(point));
-    };
-    const Vec2 half(0, 0.5 * probe.diameter);
-    switch (probe.type) {
-        case ProbeSpec::Type::wall_pressure:
-            drawing.line(probe.centre - half, probe.centre + half, probe_line);
-            return probe.centre;
-        case ProbeSpec::Type::water_depth:
-            drawing.line({probe.x, scene.tank.low.y()}, {probe.x, scene.tank.high.y()}, probe_column);
-            return Vec2(probe.x, scene.tank.high.y());
-        case ProbeSpec::Type::body_pressure:
-            return on_body(probe.centre);
-        case ProbeSpec::Type::face_pressure:
-        case ProbeSpec::Type::air_film:
-            drawing.line(on_body(probe.from), on_body(probe.to), probe_line);
-            return Vec2(0.5 * (on_body(probe.from) + on_body(probe.to)));
-        case ProbeSpec::Type::front:
-        case ProbeSpec::Type::free_surface:
-            return std::nullopt;
-    }
-    return std::nullopt;
-}
-
 void draw_fluids(Drawing& drawing, const Scene& scene) {
     if (scene.air) {
         for (const Box& box : scene.air_boxes) drawing.rectangle(box, "fill=\"#eef3f8\"");
@@ -141,15 +114,16 @@ using Key = std::vector<std::string>;
 void draw_probes(Drawing& drawing, const Scene& scene, Key& key) {
     double last_y = -100, last_x = -100;  // a number that would cover the last one moves aside
     std::size_t number = 0;
-    for (const ProbeSpec& probe : scene.probes) {
+    for (const Probe& probe : scene.probes) {
         ++number;
         key.push_back(
-            fmt::format("{} {}{}", number, probe.name, probe.note.empty() ? "" : ": " + probe.note));
-        const std::optional<Vec2> place = draw_probe(drawing, scene, probe);
-        if (!place) continue;
-        const bool on_top = probe.type == ProbeSpec::Type::water_depth;
-        double px = drawing.x(place->x()) + (on_top ? 0 : 14);
-        const double py = drawing.y(place->y()) - (on_top ? 12 : 0);
+            fmt::format("{} {}{}", number, probe.series.name, probe.note.empty() ? "" : ": " + probe.note));
+        if (!probe.place) continue;
+        const auto& [begin, end, through_fluid] = *probe.place;
+        if (begin != end) drawing.line(begin, end, through_fluid ? probe_column : probe_line);
+        const Vec2 label = through_fluid ? end : Vec2(0.5 * (begin + end));
+        double px = drawing.x(label.x()) + (through_fluid ? 0 : 14);
+        const double py = drawing.y(label.y()) - (through_fluid ? 12 : 0);
         if (std::abs(py - last_y) < 17 && std::abs(px - last_x) < 17) px = last_x + 18;
         drawing.mark(px, py, number);
         last_x = px;

@@ -25,6 +25,7 @@
 #include "validation/store/environment.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_store.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
 namespace {
@@ -202,9 +203,9 @@ Summary make_report(const fs::path& directory) {
     if (!fs::exists(directory / "suite.json")) inputs.subject = summary.tier;
     for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
     for (const StressRow& row : summary.stress) {
-        std::ifstream picture(directory / row.picture, std::ios::binary);
-        if (row.picture.empty() || !picture) continue;
-        inputs.instabilities[row.picture] = {std::istreambuf_iterator<char>(picture), {}};
+        const std::filesystem::path picture = directory / row.picture;
+        if (std::filesystem::is_regular_file(picture))
+            inputs.instabilities[row.picture] = read_whole_file(picture);
     }
     for (const RunSummary* run : finest_runs(summary)) {
         inputs.pictures[run->directory] =

@@ -47,9 +47,9 @@ std::optional<double> difference(const Curve& a, const Curve& b, const Window& w
 std::optional<PeerComparison> compare_with_peers(const RunSummary& run) {
     Comparisons experiments, peers, own;
     for (const ComparisonResult& c : run.comparisons) {
-        const bool experiment = c.kind == "experiment";
+        const bool experiment = c.kind == ReferenceKind::experiment;
         if (!c.available || !c.window || !of_pressure(c, run.record)) continue;
-        if (!experiment && c.kind != "peer-simulation") continue;
+        if (!experiment && c.kind != ReferenceKind::peer_simulation) continue;
         add_once(experiment ? experiments : peers, c, &ComparisonResult::measured);
         add_once(own, c, &ComparisonResult::simulated);
     }

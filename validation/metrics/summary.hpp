@@ -42,7 +42,7 @@ struct ComparisonResult {
     std::string title;
     std::string quantity;
     std::string reference;
-    std::string kind;  ///< experiment, peer-simulation, analytic, stated
+    std::optional<ReferenceKind> kind;  ///< empty if the reference is not available
     std::string citation;
     std::optional<double> nrmse;       ///< rms difference over the range of the reference in the window
     std::optional<double> peak_error;  ///< (max simulated - max reference) / |max reference| in the window
@@ -100,8 +100,8 @@ struct CurveConvergenceRow {
 /// the sense of ASME V&V 20. All uncertainties are standard (k = 1), in the unit of the quantity.
 struct ValidationRow {
     std::string scene, variant, quantity, unit;
-    std::string against;  ///< who measured or computed
-    std::string kind;     ///< experiment, or empty if not said
+    std::string against;                ///< who measured or computed
+    std::optional<ReferenceKind> kind;  ///< empty if the scene does not say
     double dx = 0;
     double simulated = 0, reference = 0, error = 0;  ///< S, D, E = S - D
     std::optional<double> u_num, u_input, u_data;
@@ -113,7 +113,8 @@ struct ValidationRow {
 
 /// One pair of a measured or exact value and its prediction, in SI units.
 struct ScatterPoint {
-    std::string scene, variant, quantity, quantity_class, unit, against, kind;
+    std::string scene, variant, quantity, quantity_class, unit, against;
+    std::optional<ReferenceKind> kind;  ///< empty if the scene does not say
     double dx = 0, expected = 0, predicted = 0;
     std::optional<double> u_data;  ///< relative standard
     bool counted = false;          ///< in the statistics

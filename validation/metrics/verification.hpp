@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "solver/core/curve.hpp"
-#include "validation/metrics/specification.hpp"
+#include "validation/metrics/window.hpp"
 
 namespace wetdeck {
 

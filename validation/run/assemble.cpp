@@ -14,6 +14,7 @@
 #include "solver/probes/pressure.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
+#include "validation/run/recorders.hpp"
 #include "validation/store/environment.hpp"
 
 namespace wetdeck {

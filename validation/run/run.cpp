@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <chrono>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -13,9 +12,10 @@
 #include "validation/metrics/quantities.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/field_frame.hpp"
+#include "validation/run/last_good_frame.hpp"
 #include "validation/run/run_state.hpp"
-#include "validation/run/series_keeper.hpp"
 #include "validation/run/stop_signal.hpp"
+#include "validation/run/time_series.hpp"
 #include "validation/run/watchdog.hpp"
 #include "validation/scene/identity.hpp"
 #include "validation/scene/model_keys.hpp"
@@ -109,7 +109,7 @@ class Run {
           provenance_(collect_provenance(simulation_.instruction_set(),
                                          static_cast<unsigned>(simulation_.threads()))),
           clock_(options.checkpoint_interval),
-          keeper_(scene, options.particle_spacing, options.directory, from) {
+          series_(scene, options.particle_spacing, options.directory, from) {
         if (from) {
             go_on(*from);
         } else {
@@ -123,10 +123,10 @@ class Run {
         if (const std::optional<Instability> trouble = simulation_.run(end_, observe, watch_bodies(scene_))) {
             record.status = RunStatus::unstable;
             record.stop_reason = trouble->describe();
-            if (fields_->frames().empty() || last_good_.time > fields_->frames().back().time)
-                fields_->write(last_good_);
+            const FieldFrame& last = last_good_.frame();
+            if (fields_->frames().empty() || last.time > fields_->frames().back().time) fields_->write(last);
         }
-        record.series = keeper_.series();
+        record.series = series_.all();
         record.cost.wall_s = wall_before_ + seconds_since(start_);
         record.cost.core_s = core_before_ + processor_seconds() - processor_start_;
         record_cost(record, simulation_);
@@ -139,8 +139,10 @@ class Run {
         check_frames(options_.directory, from, simulation_.time());
         fields_.emplace(options_.directory, simulation_.time());
         next_frame_ = static_cast<std::size_t>(from.number("next_frame"));
-        last_good_ = frame_in(from).x.empty() ? frame_of(simulation_, line()) : frame_in(from);
-        last_good_.provenance = line();
+        FieldFrame last = frame_in(from);
+        if (last.x.empty()) last = frame_of(simulation_, line());
+        last.provenance = line();
+        last_good_.set(std::move(last));
         wall_before_ = from.number("wall_s");
         core_before_ = from.number("core_s");
         if (from.text("computed_by") != computed_by(provenance_))
@@ -178,23 +180,18 @@ class Run {
 
     void observe(Progress& progress) {
         const Simulation& s = simulation_;
-        keeper_.observe(s, s.time() >= end_);
+        series_.sample(s, s.time() >= end_);
         if (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_]) {
             while (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_])
                 ++next_frame_;
             fields_->write(frame_of(s, line()));
         }
-        // what an unstable run leaves behind; more often while the run is young
-        const auto substeps = static_cast<std::uint64_t>(s.model().air_substeps);
-        const std::uint64_t steps_between = std::max<std::uint64_t>(4, 256 / std::bit_ceil(substeps));
-        const bool good =
-            s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()));
-        if (good) last_good_ = frame_of(s, line());
-        if (s.steps() % (steps_between / 4) == 0)
+        const bool kept = last_good_.update(s, line());
+        if (s.steps() % (steps_between_ / 4) == 0)
             progress.update(s.time() / end_,
                             fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end_, s.steps()));
         const int signal = s.time() < end_ ? stop_signal() : 0;
-        if (signal != 0 || (good && clock_.due())) write_state();
+        if (signal != 0 || (kept && clock_.due())) write_state();
         if (signal != 0)
             throw Interrupted(
                 signal, fmt::format(" at t = {:.4g} of {:.4g} s; continue with: wetdeck resume {}", s.time(),
@@ -207,8 +204,9 @@ class Run {
         checkpoint.step = simulation_.steps();
         save_request(checkpoint, scene_, options_);
         save_simulation(checkpoint, simulation_);
-        keeper_.save(checkpoint);
-        save_frame(checkpoint, last_good_.time < simulation_.time() ? last_good_ : FieldFrame{});
+        series_.save(checkpoint);
+        const FieldFrame& last = last_good_.frame();
+        save_frame(checkpoint, last.time < simulation_.time() ? last : FieldFrame{});
         checkpoint.numbers["frames"] = static_cast<double>(fields_->frames().size());
         checkpoint.numbers["next_frame"] = static_cast<double>(next_frame_);
         checkpoint.numbers["wall_s"] = wall_before_ + seconds_since(start_);
@@ -228,10 +226,11 @@ class Run {
     Simulation simulation_;
     Provenance provenance_;
     CheckpointClock clock_;
-    SeriesKeeper keeper_;
+    TimeSeries series_;
     std::optional<FieldWriter> fields_;
     std::size_t next_frame_ = 0;
-    FieldFrame last_good_;
+    std::uint64_t steps_between_ = steps_between_looks(simulation_, 256, 4);
+    LastGoodFrame last_good_{steps_between_};
 };
 
 }  // namespace

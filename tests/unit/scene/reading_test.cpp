@@ -34,8 +34,10 @@ TEST_CASE("a scene holds what its file says") {
 TEST_CASE("probes, quantities, comparisons and deviations are read with their scales") {
     const Scene scene = read();
     REQUIRE(scene.probes.size() == 3);
-    REQUIRE(scene.probes[1].centre == Vec2(1.0, 0.1));
-    REQUIRE(scene.probes[2].width == 0.08);
+    REQUIRE((scene.probes[1].place->begin - Vec2(1.0, 0.06)).norm() < 1e-12);
+    REQUIRE(scene.probes[1].series.description ==
+            "gauge pressure, chord-weighted mean over a disc of 0.08 m at (1, 0.1) m; ");
+    REQUIRE(scene.probes[2].series.description == "depth of water at x = 0.3 m over a width of 0.08 m");
     const QuantitySpec& quantity = scene.analysis.quantities.at(0);
     REQUIRE(quantity.x_scale == 0.1428);
     REQUIRE(quantity.y_scale == 0.2);

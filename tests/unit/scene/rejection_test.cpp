@@ -240,9 +240,10 @@ TEST_CASE("metrics without what they need are refused") {
                  EndsWith("key 'quantities[0].threshold': missing, the metric first_crossing needs it"));
     REQUIRE_THAT(metric("value_at"),
                  EndsWith("key 'quantities[0].threshold': missing, the metric value_at needs it"));
-    REQUIRE_THAT(
-        metric("rms_difference"),
-        EndsWith("key 'quantities[0].reference': rms_difference needs reference, y_column and window"));
+    REQUIRE_THAT(metric("rms_difference"),
+                 EndsWith("key 'quantities[0].reference': missing, the metric rms_difference needs it"));
+    REQUIRE_THAT(metric("rms_difference", "reference = \"nobody_front\""),
+                 EndsWith("key 'quantities[0].y_column': missing, the metric rms_difference needs it"));
     REQUIRE_THAT(metric("mean", "expected = 1.0"),
                  EndsWith("key 'quantities[0].tolerance': missing beside 'expected'"));
 }

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "tests/unit/store/store_samples.hpp"
-#include "validation/store/whole_file.hpp"
 
 using namespace wetdeck;
 
@@ -30,12 +29,4 @@ TEST_CASE("A command that a signal ended has not succeeded", "[child_process]") 
 TEST_CASE("A program is found by its name alone", "[child_process]") {
     CHECK(program_found("sh"));
     CHECK_FALSE(program_found("no such program"));
-}
-
-TEST_CASE("A file is read whole, zero bytes and line ends included", "[whole_file]") {
-    const samples::ScratchFolder folder;
-    const std::string bytes("a\r\n\0b\n", 6);
-    samples::put_bytes(folder / "file", bytes);
-    CHECK(read_whole_file(folder / "file") == bytes);
-    CHECK_FALSE(read_whole_file(folder / "none").has_value());
 }
