@@ -242,7 +242,7 @@ TEST_CASE("a suite goes through Slurm to the same results, and again without wha
     const Outcome twice = run_program(cluster.command("slurm"));
     if (!std::filesystem::exists(cluster.file("slurm/summary.json"))) {
         REQUIRE(twice.code == 4);
-        REQUIRE_THAT(twice.err, Contains("jobs of this suite are still at work"));
+        REQUIRE_THAT(twice.err, Contains("jobs of this suite are still queued or running"));
     }
     cluster.wait_for_end(thorough ? 600 : 60);
     REQUIRE(run_program(cluster.command("local")).code <= 1);  // within tolerance or not
@@ -286,7 +286,7 @@ TEST_CASE("a node that dies in the middle and a controller that is restarted los
         const std::string now = "scontrol update JobId=" + job.substr(0, job.find(',')) + "_0 StartTime=now";
         REQUIRE(Cluster::within(20, [&] { return shell(now) == 0; }));
         cluster.wait_for_end(150);
-        REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("going on from t = "));
+        REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("continuing from t = "));
     }
     cluster.wait_for_end(150);
     REQUIRE(run_program(cluster.command("local")).code == 0);

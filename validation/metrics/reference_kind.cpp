@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array<ReferenceKindInfo, 4> table{{
     {ReferenceKind::experiment, "experiment", "measurements", true, false, ""},
-    {ReferenceKind::peer_simulation, "peer-simulation", "other simulations (peer simulation, no validation)",
+    {ReferenceKind::peer_simulation, "peer-simulation", "other simulations (peer simulations, no validation)",
      false, false, "another simulation, no measurement"},
     {ReferenceKind::analytic, "analytic", "exact or analytic solutions", false, true,
      "an analytic solution, no measurement"},

@@ -81,6 +81,15 @@ struct SourceRun {
     std::string conditions;  ///< its spacing, its step, its time, and where they are stated
 };
 
+/// A figure of a source of the scene, and where the report shows the same.
+struct SourceFigure {
+    std::string number;  ///< as printed in the source, "3" or "12a"
+    std::string shows;
+    std::vector<std::string> places;  ///< anchors of the report; those that exist are linked
+    std::string remark;
+    std::string source;  ///< citation
+};
+
 /// The part of a scene that analysis and report need.
 struct AnalysisSpec {
     std::string scene;
@@ -92,6 +101,7 @@ struct AnalysisSpec {
     std::vector<ComparisonSpec> comparisons;
     std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
+    std::vector<SourceFigure> source_figures;
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::optional<SourceRun> source_run;
     std::string error_quantity;  ///< the quantity whose error the speed-error diagram shows

@@ -73,7 +73,7 @@ void record_cost(RunRecord& record, const Simulation& simulation) {
     record.parameters["bytes_per_particle"] = simulation.bytes_per_particle();
 }
 
-/// Who computes: with another program or instruction set the last digits may differ.
+/// The program and instruction set that compute: with others the last digits may differ.
 std::string computed_by(const Provenance& p) {
     return fmt::format("wetdeck {} {}, {}, {}", p.program_version, p.commit, p.compiler, p.simd);
 }
@@ -92,7 +92,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What a checkpoint that is of no use means to a user.
+/// Adds to an error of a checkpoint that the run has to be started again, and how.
 DataError with_way_out(const DataError& error, const std::filesystem::path& run_dir) {
     return DataError(fmt::format("{}; start the run again: wetdeck run ... --replace --out {}", error.what(),
                                  run_dir.string()));
@@ -146,10 +146,10 @@ class Run {
         wall_before_ = from.number("wall_s");
         core_before_ = from.number("core_s");
         if (from.text("computed_by") != computed_by(provenance_))
-            fmt::print(stderr, "wetdeck: the run was begun by {}: the last digits may differ\n",
+            fmt::print(stderr, "wetdeck: the run was started by {}; the last digits may differ\n",
                        from.text("computed_by"));
         provenance_.start_time = from.text("start_time");
-        fmt::print("going on from t = {:.4g} s, step {}\n", simulation_.time(), simulation_.steps());
+        fmt::print("continuing from t = {:.4g} s, step {}\n", simulation_.time(), simulation_.steps());
         clock_.restart(0);
     }
 
@@ -193,8 +193,9 @@ class Run {
         const int signal = s.time() < end_ ? stop_signal() : 0;
         if (signal != 0 || (kept && clock_.due())) write_state();
         if (signal != 0)
-            throw Interrupted(signal, fmt::format(" at t = {:.4g} of {:.4g} s; go on with: wetdeck resume {}",
-                                                  s.time(), end_, options_.directory.string()));
+            throw Interrupted(
+                signal, fmt::format(" at t = {:.4g} of {:.4g} s; continue with: wetdeck resume {}", s.time(),
+                                    end_, options_.directory.string()));
     }
 
     void write_state() {
@@ -259,7 +260,7 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
         throw with_way_out(error, folder);
     } catch (const EnvironmentError& error) {
         if (list_checkpoints(folder).empty()) throw;
-        throw EnvironmentError(fmt::format("{}; when that is mended go on with: wetdeck resume {}",
+        throw EnvironmentError(fmt::format("{}; once this is resolved, continue with: wetdeck resume {}",
                                            error.what(), folder.string()));
     }
     std::error_code ignored;
@@ -273,7 +274,7 @@ std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& direct
     try {
         const std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
         if (!checkpoint)
-            throw DataError(fmt::format("{}: holds no checkpoint to go on from", directory.string()));
+            throw DataError(fmt::format("{}: holds no checkpoint to continue from", directory.string()));
         run = {scene_in(*checkpoint), options_in(*checkpoint)};
         run.second.directory = directory;
         if (identity_in(directory) != identity_of(run.first, run.second))

@@ -102,6 +102,45 @@ bool of_this_variant(const TomlTable& table, const Scene& scene) {
     return std::find(named.begin(), named.end(), scene.variant) != named.end();
 }
 
+bool is_anchor(const std::string& text) {
+    return !text.empty() &&
+           text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+}
+
+SourceFigure read_source_figure(const TomlTable& table, const std::string& source_of_scene) {
+    SourceFigure figure;
+    figure.number = table.text("number");
+    if (figure.number.empty()) table.fail("number", "expected the number of a figure");
+    figure.shows = table.text("shows");
+    figure.places = table.texts("places");
+    figure.remark = table.text_or("remark", "");
+    figure.source = table.text_or("source", source_of_scene);
+    for (const std::string& place : figure.places) {
+        if (!is_anchor(place))
+            table.fail("places", fmt::format("'{}' is no anchor of the report, expected lower-case letters, "
+                                             "digits and hyphens",
+                                             place));
+    }
+    if (figure.places.empty() && figure.remark.empty()) {
+        const char* expected =
+            "expected a list of anchors of the report, or a remark that says why there is no counterpart";
+        if (table.has("places")) table.fail("places", expected);
+        table.fail_missing("places", expected);
+    }
+    table.finish();
+    return figure;
+}
+
+void read_source_figures(const TomlTable& root, AnalysisSpec& analysis) {
+    std::set<std::pair<std::string, std::string>> known;
+    for (const TomlTable& table : root.tables("source_figures")) {
+        SourceFigure figure = read_source_figure(table, analysis.source);
+        if (!known.emplace(figure.source, figure.number).second)
+            table.fail("number", fmt::format("'{}' is used twice for one source", figure.number));
+        analysis.source_figures.push_back(std::move(figure));
+    }
+}
+
 }  // namespace
 
 void read_analysis(const TomlTable& root, Scene& scene) {
@@ -145,6 +184,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
             {table.text("item"), table.text("source"), table.text("used"), table.text("reason")});
         table.finish();
     }
+    read_source_figures(root, analysis);
     for (const TomlTable& table : root.tables("sensitivity")) {
         const SensitivitySpec spec{table.text("key"), table.number("low"), table.number("high"),
                                    table.positive("uncertainty"), table.text("source")};

@@ -20,7 +20,7 @@ inline Vec2 point(const TomlTable& table, const std::string& key) {
 void read_model(const TomlTable& root, Scene& scene);
 /// The keys `law` and `sound_speed` of [air] -> the air's sound speed.
 void read_air_law(const TomlTable& air, Model& model);
-/// [[quantities]], [[compare]], [[deviations]], limits.
+/// [[quantities]], [[compare]], [[deviations]], [[source_figures]], limits.
 void read_analysis(const TomlTable& root, Scene& scene);
 /// [body], [body_2], ...
 void read_bodies(const TomlTable& root, Scene& scene);

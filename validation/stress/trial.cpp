@@ -76,7 +76,7 @@ Death death_of(const Simulation& simulation, const Instability& trouble, FieldFr
 std::string Outcome::note() const {
     std::string text;
     if (death) {
-        text = "died " + death->instability.describe();
+        text = "became unstable " + death->instability.describe();
         if (!death->surroundings.empty()) text += "; before that " + death->surroundings;
         text += "; ";
     }

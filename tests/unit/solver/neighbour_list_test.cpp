@@ -223,17 +223,18 @@ TEST_CASE(
         CHECK(c.count <= cluster_width);
         CHECK(c.phase == fluid.phase(c.first));
         CHECK(c.phase == fluid.phase(c.first + c.count - 1));
-        const std::uint32_t fluid_count = c.fluid_neighbours[0] + c.fluid_neighbours[1];
-        const std::set<std::uint32_t> near(c.neighbours, c.neighbours + fluid_count);
-        repeated += fluid_count - near.size();
-        for (std::uint32_t k = 0; k < fluid_count; ++k) {
-            const std::uint32_t j = c.neighbours[k];
-            wrong_kind += fluid.phase(j) != (k < c.fluid_neighbours[0] ? Phase::water : Phase::air);
-            double nearest = 1e300;
-            for (std::uint32_t i = c.first; i < c.first + c.count; ++i) {
-                nearest = std::min(nearest, (fluid.state[i].position() - fluid.state[j].position()).norm());
+        for (std::size_t phase = 0; phase < phase_count; ++phase) {
+            const Neighbours listed_once = fluid_neighbours(listed.list.blocks(), c, phase);
+            const std::set<std::uint32_t> near(listed_once.begin(), listed_once.end());
+            repeated += listed_once.size() - near.size();
+            for (const std::uint32_t j : listed_once) {
+                wrong_kind += fluid.phase(j) != Phase(phase);
+                double nearest = 1e300;
+                for (std::uint32_t i = c.first; i < c.first + c.count; ++i)
+                    nearest =
+                        std::min(nearest, (fluid.state[i].position() - fluid.state[j].position()).norm());
+                too_far += nearest > support + skin + 1e-12;
             }
-            too_far += nearest > support + skin + 1e-12;
         }
     }
     CHECK(particles == fluid.size());
