@@ -86,10 +86,10 @@ Finding check_scene(const std::string& file) {
 Finding check_curve(const std::string& file) {
     const Reference reference = load_reference(file);
     const std::size_t columns = reference.columns.size();
-    return {fmt::format("{} reference, {} columns", reference.kind, columns),
+    return {fmt::format("{} reference, {} columns", name_of(reference.kind), columns),
             {},
             {},
-            {{"kind", reference.kind}, {"columns", columns}}};
+            {{"kind", name_of(reference.kind)}, {"columns", columns}}};
 }
 
 Finding check_outline(const std::string& file) {
