@@ -5,6 +5,7 @@
 
 #include "solver/physics/model.hpp"
 #include "solver/physics/riemann.hpp"
+#include "tests/support/samples.hpp"
 
 using namespace wetdeck;
 
