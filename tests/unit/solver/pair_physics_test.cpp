@@ -132,7 +132,7 @@ TEST_CASE("The harmonic mean of velocity vectors is taken by component, worked b
     model.velocity_mean = Mean::harmonic;
     model.mean_guard = MeanGuard::same_sign_zero;
     model.gravity = Vec2::Zero();
-    samples::Setup setup{model, {}, {}, 0.05, Box{{-1, -1}, {1, 1}}};
+    samples::Setup setup(model, {{-1, -1}, {1, 1}}, 0.05);
     setup.fluid.add(Phase::water, {0, 0}, 2.5, 1000);
     setup.fluid.add(Phase::water, {0.03, 0.03}, 2.5, 1000);
     setup.fluid.state[0].vx = 2;
