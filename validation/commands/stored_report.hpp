@@ -10,24 +10,25 @@
 
 namespace wetdeck {
 
-/// Where the runs of ablation studies lie below a directory of runs.
+/// Folder of the runs of ablation studies, below a directory of results.
 inline constexpr const char* ablation_folder = "ablation";
 
-/// Reads every run.h5 below `directory` (those below sensitivity/ as rows of that study; those of ablation
-/// studies are left out: their table says what they gave) and what the other commands left there, and
-/// analyses them. The tier is the one that suite.json names. Throws InputError if there is no run, DataError
+/// Reads and analyses every run.h5 below `directory` and the tables of the other commands. Runs below
+/// sensitivity/ are rows of that study; runs of ablation studies are left out, since a table holds their
+/// results. The tier is the one that suite.json names. Throws InputError if there is no run, DataError
 /// for a run that cannot be read.
 Summary analyse_directory(const std::filesystem::path& directory);
 
 /// The same, and writes summary.json, index.html and figures/.
 Summary make_report(const std::filesystem::path& directory);
 
-/// Remembers what a suite set out to run, so that a later report knows what is missing.
+/// Writes suite.json with the planned runs, so that a later report can name the missing ones.
 void write_suite_plan(const std::filesystem::path& directory, const std::string& tier,
                       const std::vector<std::string>& run_directories);
 
-/// Names of what lies outside its tolerance: claims of problems with exact solutions, and available
-/// comparisons and expected quantities of the finest spacing of each variant but `paper`.
+/// Names of the claims of problems with exact solutions, and of the available comparisons and expected
+/// quantities of the finest spacing of each variant, that lie outside their tolerance. Variants that are
+/// expected to become unstable are left out.
 std::vector<std::string> outside_tolerance(const Summary& summary);
 
 }  // namespace wetdeck

@@ -32,7 +32,7 @@ struct PlanOptions {
 /// How each row is run.
 struct RowOptions {
     int threads = 0;                                                ///< 0: left to the executor
-    bool fresh = false;                                             ///< run again what is finished
+    bool fresh = false;                                             ///< repeat finished runs
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< wall seconds
 };
 

@@ -57,7 +57,7 @@ done and within tolerance
 a comparison or check fell outside its stated tolerance
 .TP
 .B 2
-bad usage or bad input; one line on stderr says where and what was expected
+bad usage or bad input; one line on stderr names the place and the expected value
 .TP
 .B 3
 a run became unstable

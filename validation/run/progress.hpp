@@ -10,7 +10,7 @@ namespace wetdeck {
 
 class Progress {
   public:
-    /// @param label  what is going on, in front of each line
+    /// @param label  name of the work, in front of each line
     explicit Progress(std::string label, bool quiet = false);
     ~Progress();
     Progress(const Progress&) = delete;

@@ -14,7 +14,7 @@ void catch_stop_signals();
 /// The signal that has come, or 0.
 int stop_signal();
 
-/// A signal stopped the work after what was reached had been stored. The message says how to go on.
+/// A signal stopped the work after its state had been stored. The message says how to continue.
 class Interrupted : public std::runtime_error {
   public:
     Interrupted(int signal_number, const std::string& how_to_go_on);
