@@ -88,7 +88,7 @@ inline void add(samples::Setup& setup, const Particle& drawn) {
 
 /// The particles in a tank of `cells` spacings a side, which has walls or not.
 inline samples::Setup setup_of(const Model& model, const std::vector<Particle>& particles, bool with_walls) {
-    samples::Setup setup{model, {}, {}, spacing, Box{{0, 0}, Vec2::Constant(cells * spacing)}};
+    samples::Setup setup(model, {Vec2::Zero(), Vec2::Constant(cells * spacing)}, spacing);
     for (const bool air : {false, true}) {
         for (const Particle& particle : particles)
             if (particle.air == air) add(setup, particle);

@@ -122,8 +122,8 @@ TEST_CASE("Twice the sound speed of still water halves the step that sound limit
 TEST_CASE("The neighbour list holds every pair that matters, whatever the motion",
           "[generated][neighbours]") {
     generated::check(80, [] {
-        Model model = samples::two_phase_model();
-        model.skin = *generated::number(0.02, 0.5).as("skin");
+        const Model model = samples::two_phase_model();
+        const double skin = *generated::number(0.02, 0.5).as("skin");
         std::vector<generated::Particle> particles = generated::draw_particles(2, 1);
         const double a = *generated::number(-15, 15).as("stretching"),
                      b = *generated::number(-15, 15).as("rotation"), c = *generated::number(-5, 5).as("wind");
@@ -132,8 +132,10 @@ TEST_CASE("The neighbour list holds every pair that matters, whatever the motion
             p.vx += c + a * place.x() - b * place.y();
             p.vy += b * place.x() - a * place.y();
         }
-        Simulation simulation =
-            generated::setup_of(model, particles, generated::one_of("walls", {true, false})).simulate();
+        samples::Setup setup =
+            generated::setup_of(model, particles, generated::one_of("walls", {true, false}));
+        setup.execution.skin = skin;
+        Simulation simulation = setup.simulate();
         RC_ASSERT(difference_to_all_pairs(simulation) < 1e-9);
         for (int n = 0; n < 12; ++n) {
             if (simulation.step(1)) break;  // single particles may leave the range of a fluid

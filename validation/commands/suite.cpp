@@ -41,7 +41,7 @@ struct RowState {
 };
 
 RowState state_of(const SuiteRow& row) {
-    if (finished(row)) return {"done", provenance_of(read_run(run_file(row.directory)), "commit")};
+    if (finished(row)) return {"done", provenance_entry(read_run(run_file(row.directory)), "commit")};
     return {interrupted(row) ? "interrupted" : "to do"};
 }
 

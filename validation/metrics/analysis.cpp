@@ -38,11 +38,11 @@ std::map<std::pair<std::string, std::string>, std::string> current_setups(
     std::map<std::pair<std::string, std::string>, const RunRecord*> latest;
     for (const RunSummary& run : runs) {
         const RunRecord*& found = latest[{run.record.scene, run.record.variant}];
-        if (!found || provenance_of(run.record, "start_time") > provenance_of(*found, "start_time"))
+        if (!found || provenance_entry(run.record, "start_time") > provenance_entry(*found, "start_time"))
             found = &run.record;
     }
     std::map<std::pair<std::string, std::string>, std::string> setups;
-    for (const auto& [key, record] : latest) setups[key] = provenance_of(*record, "setup_identity");
+    for (const auto& [key, record] : latest) setups[key] = provenance_entry(*record, "setup_identity");
     return setups;
 }
 
@@ -52,11 +52,11 @@ void keep_setups_apart(std::vector<RunSummary>& runs, std::vector<SensitivityRun
     const auto setups = current_setups(runs);
     for (RunSummary& run : runs)
         run.other_setup =
-            provenance_of(run.record, "setup_identity") != setups.at({run.record.scene, run.record.variant});
+            provenance_entry(run.record, "setup_identity") != setups.at({run.record.scene, run.record.variant});
     std::erase_if(varied, [&](const SensitivityRun& one) {
         const RunRecord& record = one.run.record;
         const auto found = setups.find({record.scene, record.variant});
-        return found != setups.end() && provenance_of(record, "base_setup_identity") != found->second;
+        return found != setups.end() && provenance_entry(record, "base_setup_identity") != found->second;
     });
 }
 

@@ -55,7 +55,7 @@ struct RunRecord {
 };
 
 /// An entry of the provenance, empty if it is not there.
-inline std::string provenance_of(const RunRecord& record, const std::string& key) {
+inline std::string provenance_entry(const RunRecord& record, const std::string& key) {
     const auto found = record.provenance.find(key);
     return found == record.provenance.end() ? std::string() : found->second;
 }
