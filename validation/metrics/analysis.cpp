@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From stored runs to everything the report shows.
 #include "validation/metrics/analysis.hpp"
 
 #include <algorithm>
@@ -55,7 +54,7 @@ void add_convergence(const AnalysisSpec& spec, Summary& summary) {
     }
 }
 
-/// The first comparison of each series says how it is scaled and where it matters.
+/// Scaling and window of a series are those of its first comparison.
 void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
     std::set<std::string> seen;
     for (const ComparisonSpec& comparison : spec.comparisons) {
@@ -78,7 +77,8 @@ void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
     }
 }
 
-/// One specification per scene, with what any of its variants asks for; the default variant speaks first.
+/// One specification per scene, with the quantities and comparisons of all its variants, those of the default
+/// variant first.
 std::vector<AnalysisSpec> merged(std::vector<AnalysisSpec> specifications) {
     std::stable_sort(specifications.begin(), specifications.end(), [](const auto& a, const auto& b) {
         return std::tuple(a.scene, a.variant != a.default_variant) <

@@ -137,7 +137,7 @@ struct SensitivityRun {
     RunSummary run;
 };
 
-/// What an input's uncertainty does to a quantity.
+/// The effect of an input's uncertainty on a quantity.
 struct SensitivityRow {
     std::string scene, variant, quantity, unit, key;
     double dx = 0, low = 0, high = 0, uncertainty = 0;
@@ -169,7 +169,7 @@ struct CheapestRow {
     std::optional<SpeedErrorPoint> best;                 ///< the smallest error of all
 };
 
-/// What leaving one ingredient of the model out does; from DIR/ablation.json.
+/// The effect of leaving out one ingredient of the model; from DIR/ablation.json.
 struct AblationRow {
     std::string scene;
     double dx = 0;
@@ -184,10 +184,11 @@ struct StressRow {
     std::string stress_case, setting;
     bool survived = false;
     std::string note;
-    std::string picture = {};  ///< of the death: a file, relative to the directory; empty if there is none
+    std::string picture =
+        {};  ///< of the instability: a file, relative to the directory; empty if there is none
 };
 
-/// Whether a specification speaks for a run.
+/// Whether a specification applies to a run.
 inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {
     return record.scene == spec.scene && (spec.variant.empty() || record.variant == spec.variant);
 }

@@ -14,7 +14,7 @@
 namespace wetdeck {
 namespace {
 
-/// A value with what it should be, from a quantity or from a curve.
+/// A simulated value and its reference, from a quantity or from a curve.
 struct Item {
     std::string name, unit, against;
     std::optional<ReferenceKind> kind;
@@ -27,7 +27,7 @@ bool error_measure(const AnalysisSpec& scene, const std::string& quantity) {
     });
 }
 
-/// A value of unsaid kind gets the benefit of the doubt.
+/// A value of unknown kind is taken for a measurement; the report says that its kind is not stated.
 bool counts_as_validation(std::optional<ReferenceKind> kind) {
     return !kind || describe(*kind).validates;
 }
