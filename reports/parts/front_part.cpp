@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The first page: introduction, runs, speed against error, revisions.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "reports/figures/figures.hpp"
 #include "reports/parts/parts.hpp"
@@ -142,6 +144,28 @@ std::string drawing_notice(const Page& page) {
                      "notice");
 }
 
+/// What a reader must know where runs of different set-ups or schemes lie in one directory.
+std::string mixture_notice(const Summary& summary) {
+    std::set<std::string> revisions;
+    std::size_t others = 0;
+    for (const RunSummary& run : summary.runs) {
+        const auto found = run.record.parameters.find("scheme_revision");
+        revisions.insert(found == run.record.parameters.end() ? "unknown" : number(found->second));
+        others += run.other_setup ? 1 : 0;
+    }
+    std::string out;
+    if (revisions.size() > 1)
+        out += paragraph(fmt::format("The runs were made with different revisions of the numerical scheme ({}).",
+                                     fmt::join(revisions, ", ")),
+                         "notice");
+    if (others > 0)
+        out += paragraph(fmt::format("{} of the runs have another set-up or scheme than the latest run of their "
+                                     "variant. They are shown, and nothing is computed from both.",
+                                     others),
+                         "notice");
+    return out;
+}
+
 }  // namespace
 
 std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page) {
@@ -150,6 +174,7 @@ std::string header_markup(const Summary& summary, const ReportInputs& inputs, co
         "exact solutions and other simulations.",
         "lead");
     out += cards(summary);
+    out += mixture_notice(summary);
     if (!summary.missing.empty()) {
         out += paragraph(
             "This report is incomplete: runs of the tier are missing. They are listed under Failures.",

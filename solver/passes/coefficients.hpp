@@ -9,8 +9,10 @@ namespace wetdeck {
 
 /// Coefficients of the formulas in physics/ for one ordered pair of phases.
 struct PairCoefficients {
-    double weight_right = 0.5;       ///< of u_R in the velocity mean
-    double mobility = 0;             ///< pressure_diffusion / (2 mean(rho0 c)); the pass takes rho for rho0
+    double weight_right = 0.5;  ///< of u_R in the velocity mean
+    double mobility = 0;        ///< pressure_diffusion / (2 mean(rho0 c)); the pass takes rho for rho0
+    double right_mobility =
+        0;  ///< share of the right particle in it, of a harmonic mean of present states, else 0
     double hydrostatic_density = 0;  ///< of the hydrostatic part of the pressure jump
     double pressure_weight_left = 0.5, pressure_weight_right = 0.5;
     DissipationLimiter limiter;

@@ -14,7 +14,8 @@ namespace {
 
 /// What the pass computes, resolved at compile time.
 struct DensityTerms {
-    bool harmonic_velocity;       ///< the velocity mean is harmonic
+    bool harmonic_velocity;       ///< the velocity mean is harmonic, by component
+    bool harmonic_impedance;      ///< the mean of rho c is harmonic, of the present states
     bool hydrostatic_correction;  ///< the hydrostatic jump is taken out of the pressure jump
     bool mirrored_walls;          ///< walls move along their face with the water
     bool kernel_sum;              ///< the kernel sum is wanted
@@ -38,15 +39,17 @@ WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const Lanes& i, Neighb
         const Separation s = separation(i, j.x, j.y);
         Pack jump = i.pressure - j.pressure;
         if constexpr (terms.hydrostatic_correction) jump = jump - (gx * s.x + gy * s.y);
+        Pack pair_mobility = mobility;
+        if constexpr (terms.harmonic_impedance) pair_mobility = mobility + c.right_mobility / j.density;
         Pack left_less_star;
-        if constexpr (terms.harmonic_velocity) {
-            const Pack u_left = -(i.vx * s.x + i.vy * s.y) * s.inverse_distance;
-            const Pack u_right = -(j.vx * s.x + j.vy * s.y) * s.inverse_distance;
-            const Pack u_mean = guarded_harmonic_mean(u_left, u_right, in.velocity_guard);
-            left_less_star = s.distance * (u_left - u_mean - mobility * jump);
+        if constexpr (terms.harmonic_velocity) {  // v* . e of the mean of vectors, by component
+            const Pack vx = harmonic_mean(i.vx, Pack(j.vx), in.model->mean_guard, in.smallest_velocity);
+            const Pack vy = harmonic_mean(i.vy, Pack(j.vy), in.model->mean_guard, in.smallest_velocity);
+            left_less_star = (vx - i.vx) * s.x + (vy - i.vy) * s.y - pair_mobility * jump * s.distance;
         } else {
             const Pack approach = (j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y;
-            left_less_star = velocity_left_less_star(approach, jump * s.distance, c.weight_right, mobility);
+            left_less_star =
+                velocity_left_less_star(approach, jump * s.distance, c.weight_right, pair_mobility);
         }
         sums.rate += j.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * left_less_star;
         if constexpr (terms.kernel_sum)
@@ -137,9 +140,10 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
 
 template <DensityTerms terms>
 void density_rates(const PassInput& in) {
-    constexpr DensityTerms of_air = {terms.harmonic_velocity, terms.hydrostatic_correction, false, false};
-    constexpr DensityTerms without_sum = {terms.harmonic_velocity, terms.hydrostatic_correction,
-                                          terms.mirrored_walls, false};
+    constexpr DensityTerms without_sum = {terms.harmonic_velocity, terms.harmonic_impedance,
+                                          terms.hydrostatic_correction, terms.mirrored_walls, false};
+    constexpr DensityTerms of_air = {terms.harmonic_velocity, terms.harmonic_impedance,
+                                     terms.hydrostatic_correction, false, false};
     for_clusters(in, [&in](const Cluster& cluster) {
         if (cluster.phase == Phase::air) {
             cluster_density_rates<of_air>(in, cluster);
@@ -155,11 +159,11 @@ void density_rates(const PassInput& in) {
 
 Pass density_pass(const Model& model) {
     return with_flags(
-        []<bool harmonic, bool hydrostatic, bool mirrored>() -> Pass {
-            return density_rates<DensityTerms{harmonic, hydrostatic, mirrored, true}>;
+        []<bool velocity, bool impedance, bool hydrostatic, bool mirrored>() -> Pass {
+            return density_rates<DensityTerms{velocity, impedance, hydrostatic, mirrored, true}>;
         },
-        model.velocity_mean == Mean::harmonic, model.hydrostatic_correction,
-        model.wall_velocity == WallVelocity::mirrored);
+        model.velocity_mean == Mean::harmonic, model.impedance_mean == ImpedanceMean::harmonic,
+        model.hydrostatic_correction, model.wall_velocity == WallVelocity::mirrored);
 }
 
 }  // namespace wetdeck::WETDECK_ISA

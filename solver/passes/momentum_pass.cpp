@@ -25,7 +25,8 @@ WETDECK_INLINE Pack fluid_p_star(const PassInput& in, const Lanes& i, const Flui
                                  const Separation& s, const PairCoefficients& c) {
     Pack p_star;
     if constexpr (terms.harmonic_pressure) {
-        p_star = guarded_harmonic_mean(i.pressure, Pack(j.pressure), in.pressure_guard);
+        p_star = harmonic_mean_of_pressures(i.pressure, Pack(j.pressure), in.model->mean_guard,
+                                            in.smallest_pressure);
     } else {
         p_star =
             weighted_pressure(i.pressure, Pack(j.pressure), c.pressure_weight_left, c.pressure_weight_right);

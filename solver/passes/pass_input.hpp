@@ -22,10 +22,11 @@ struct PassInput {
     std::array<std::array<PairCoefficients, phase_count>, phase_count> pair;
     std::array<WallCoefficients, phase_count> wall_pair;
     std::array<bool, phase_count> wall_pressure_mean{};  ///< which phases take the Shepard pressure of walls
-    double velocity_guard = 0;                           ///< of the harmonic velocity mean [m/s]
-    double pressure_guard = 0;                           ///< of the harmonic pressure mean [Pa]
+    double smallest_velocity = 0;                        ///< sum of two that a harmonic mean divides by [m/s]
+    double smallest_pressure = 0;                        ///< the same of pressures [Pa]
     int threads = 1;
 
+    const Model* model = nullptr;  ///< choices that are made at run time, outside the default scheme
     const FluidState* fluid = nullptr;
     const WallState* wall = nullptr;
     const WallMean* wall_mean = nullptr;

@@ -23,8 +23,8 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
     in.gravity = model.gravity;
     in.particle_spacing = setup.particle_spacing;
     in.wall_volume = setup.particle_spacing * setup.particle_spacing;
-    in.velocity_guard = 1e-12 * model.water.eos.sound_speed;
-    in.pressure_guard = 1e-12 * model.water.eos.coefficient();
+    in.smallest_velocity = 1e-12 * model.water.eos.sound_speed;
+    in.smallest_pressure = 1e-12 * model.water.eos.coefficient();
     in.reference_density = {model.water.eos.reference_density, model.air.eos.reference_density};
     in.wall_pressure_mean = {model.wall_pressure != WallPressure::one_sided,
                              model.wall_pressure == WallPressure::shepard};
@@ -63,6 +63,7 @@ Rates::Rates(const RatesSetup& setup, Flow& flow)
 
 PassInput Rates::inputs(const Flow& flow) const {
     PassInput in = constants_;
+    in.model = &setup_.model;
     set_state(in, flow, list_);
     return in;
 }
@@ -213,6 +214,7 @@ double Rates::momentum_error(const Flow& flow) const {
     list.sort_fixed_walls(copy.walls);
     list.build(copy.fluid, copy.walls, passes_.filter_near, setup_.execution.threads);
     PassInput in = constants_;
+    in.model = &setup_.model;
     set_state(in, copy, list);
     return momentum_error(in, copy);
 }

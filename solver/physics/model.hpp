@@ -28,8 +28,10 @@ struct Model {
     Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
     double central_frequency = 0;  ///< of a pull towards the origin, -frequency^2 r [1/s]; fluid only
 
-    Mean velocity_mean = Mean::impedance_weighted;  ///< of the two particles in u*
-    Mean pressure_mean = Mean::impedance_weighted;  ///< of the two particles in P*
+    Mean velocity_mean = Mean::impedance_weighted;             ///< of the two particles in u*
+    Mean pressure_mean = Mean::impedance_weighted;             ///< of the two particles in P*
+    MeanGuard mean_guard = MeanGuard::division;                ///< of harmonic means
+    ImpedanceMean impedance_mean = ImpedanceMean::arithmetic;  ///< of rho c in u*
     double pressure_diffusion = 1;       ///< factor on the pressure jump in u*, 1 is the Riemann value
     bool hydrostatic_correction = true;  ///< the jump counts only beyond the hydrostatic one
     Dissipation dissipation = Dissipation::low_dissipation;  ///< of approaching pairs

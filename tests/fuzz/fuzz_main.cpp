@@ -10,7 +10,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const auto target = wetdeck::fuzz::targets().at(WETDECK_FUZZ_TARGET);
-    // What becomes of a child in which a reader is tried is for its parent to tell.
+    // The end of a child process in which a reader is tried is no finding: its parent reports it.
     [[maybe_unused]] static const int registered =
         ::pthread_atfork(nullptr, nullptr, [] { __sanitizer_set_death_callback(nullptr); });
     target({reinterpret_cast<const char*>(data), size});

@@ -67,6 +67,7 @@ Model paper_model() {
     Model model = two_phase_model();
     model.velocity_mean = Mean::harmonic;
     model.pressure_mean = Mean::harmonic;
+    model.impedance_mean = ImpedanceMean::harmonic;
     model.hydrostatic_correction = false;
     model.dissipation = Dissipation::none;
     model.viscosity = Viscosity::approaching;

@@ -65,10 +65,11 @@ Finding check_scene(const std::string& file) {
     for (const VariantInfo& variant : scene.variants) {
         variants.push_back(variant.name);
         const Scene varied = read_scene(file, variant.name);
-        for (const std::string& doubt : doubtful(varied)) {
-            if (std::find(found.doubts.begin(), found.doubts.end(), doubt) == found.doubts.end())
-                found.doubts.push_back(doubt);
-        }
+        const auto add_once = [](std::vector<std::string>& all, const std::string& text) {
+            if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
+        };
+        for (const std::string& doubt : doubtful(varied)) add_once(found.doubts, doubt);
+        for (const std::string& note : varied.notes) add_once(found.notes, note);
         for (const auto& [tier, spacings_of] : varied.tiers) {
             const auto spacings = spacings_of.find(variant.name);
             if (spacings == spacings_of.end()) continue;
@@ -86,10 +87,10 @@ Finding check_scene(const std::string& file) {
 Finding check_curve(const std::string& file) {
     const Reference reference = load_reference(file);
     const std::size_t columns = reference.columns.size();
-    return {fmt::format("{} reference, {} columns", reference.kind, columns),
+    return {fmt::format("{} reference, {} columns", name_of(reference.kind), columns),
             {},
             {},
-            {{"kind", reference.kind}, {"columns", columns}}};
+            {{"kind", name_of(reference.kind)}, {"columns", columns}}};
 }
 
 Finding check_outline(const std::string& file) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `wetdeck run`: one run of a scene.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "solver/core/errors.hpp"
@@ -32,6 +34,7 @@ double finest_quick_spacing(const Scene& scene) {
 int run_command(const RunCommand& options) {
     catch_stop_signals();
     const Scene scene = read_scene(find_scene(options.scene), options.choice.variant, options.overrides);
+    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
     RunOptions run;
     run.particle_spacing =
         options.choice.particle_spacing ? *options.choice.particle_spacing : finest_quick_spacing(scene);

@@ -15,6 +15,7 @@
 #include "validation/run/exit_code.hpp"
 #include "validation/run/progress.hpp"
 #include "validation/run/stop_signal.hpp"
+#include "validation/store/run_store.hpp"
 
 namespace wetdeck {
 namespace {
@@ -33,28 +34,37 @@ struct SuiteOptions {
     std::optional<std::size_t> row_number;
 };
 
-const char* state_of(const SuiteRow& row) {
-    return finished(row) ? "done" : interrupted(row) ? "interrupted" : "to do";
+/// What is there of a row, and the program revision that did it.
+struct RowState {
+    std::string name;  ///< "done", "interrupted" or "to do"
+    std::string revision = {};
+};
+
+RowState state_of(const SuiteRow& row) {
+    if (finished(row)) return {"done", provenance_of(read_run(run_file(row.directory)), "commit")};
+    return {interrupted(row) ? "interrupted" : "to do"};
 }
 
 /// The rows with their numbers, cost estimates and states.
 void print_plan(const PlanOptions& options, bool as_json) {
     double left = 0;
     nlohmann::json plan = nlohmann::json::array();
-    if (!as_json) fmt::print("{:>4}  {:>10}  {:>11}  {}\n", "row", "core s", "state", "run");
+    if (!as_json)
+        fmt::print("{:>4}  {:>10}  {:>11}  {:>12}  {}\n", "row", "core s", "state", "revision", "run");
     for (const SuiteRow& row : suite_rows(options)) {
-        const std::string state = state_of(row);
-        if (state != "done") left += row.estimated_core_seconds;
+        const RowState state = state_of(row);
+        if (state.name != "done") left += row.estimated_core_seconds;
         if (!as_json)
-            fmt::print("{:>4}  {:>10.4g}  {:>11}  {}\n", plan.size(), row.estimated_core_seconds, state,
-                       row_name(row));
+            fmt::print("{:>4}  {:>10.4g}  {:>11}  {:>12}  {}\n", plan.size(), row.estimated_core_seconds,
+                       state.name, state.revision.substr(0, 12), row_name(row));
         plan.push_back({{"row", plan.size()},
                         {"scene", row.scene},
                         {"variant", row.variant},
                         {"dx", row.particle_spacing},
                         {"overrides", row.overrides},
                         {"core_s", row.estimated_core_seconds},
-                        {"state", state},
+                        {"state", state.name},
+                        {"revision", state.revision.empty() ? nlohmann::json() : nlohmann::json(state.revision)},
                         {"directory", row.directory.string()}});
     }
     if (as_json) {

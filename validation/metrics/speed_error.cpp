@@ -80,8 +80,7 @@ std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& r
         if (record.scene != scene.scene) continue;
         SpeedErrorPoint point{scene.scene, record.variant, record.particle_spacing, record.cost.core_s, {}};
         for (const QuantityResult& result : run.quantities) {
-            if (result.name != scene.error_quantity || !result.value || record.status != RunStatus::ok)
-                continue;
+            if (result.name != scene.error_quantity || !result.value || !counts(run)) continue;
             const std::optional<Target> target = target_of(result, record, scene, convergence);
             if (!target) continue;
             point.relative = target->value != 0;
@@ -109,7 +108,7 @@ std::vector<CheapestRow> cheapest_rows(const std::vector<RunSummary>& runs, cons
         return rows.back();
     };
     for (const RunSummary& run : runs) {
-        if (run.record.scene != scene.scene || run.record.status != RunStatus::ok) continue;
+        if (run.record.scene != scene.scene || !counts(run)) continue;
         for (const QuantityResult& q : run.quantities) {
             if (!q.value || q.expected.value_or(0) == 0) continue;
             take(row_of(q.name, q.expected_source), run,

@@ -34,7 +34,7 @@ const RunSummary* representative_run(const AnalysisSpec& scene, const std::vecto
     const RunSummary* finest = nullptr;
     for (const RunSummary& run : runs) {
         const RunRecord& r = run.record;
-        if (!applies(scene, r) || r.variant != scene.default_variant || r.status != RunStatus::ok) continue;
+        if (!applies(scene, r) || r.variant != scene.default_variant || !counts(run)) continue;
         if (finest == nullptr || r.particle_spacing < finest->record.particle_spacing) finest = &run;
     }
     return finest;

@@ -70,6 +70,7 @@ struct RunSummary {
     std::optional<double> energy_error;    ///< see conservation.hpp
     std::optional<double> momentum_error;  ///< see conservation.hpp
     bool expected_unstable = false;        ///< its variant is known to become unstable
+    bool other_setup = false;  ///< its set-up or scheme is not that of the latest run of its variant
     std::vector<QuantityResult> quantities;
     std::vector<ComparisonResult> comparisons;
 };
@@ -184,9 +185,14 @@ struct StressRow {
     std::string stress_case, setting;
     bool survived = false;
     std::string note;
-    std::string picture =
-        {};  ///< of the instability: a file, relative to the directory; empty if there is none
+    std::string picture = {};  ///< of the instability, relative to the directory; empty if there is none
 };
+
+/// Whether a run takes part in what is computed from several runs: it has reached its end, and its set-up and
+/// scheme are those of its variant.
+inline bool counts(const RunSummary& run) {
+    return run.record.status == RunStatus::ok && !run.other_setup;
+}
 
 /// Whether a specification applies to a run.
 inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {

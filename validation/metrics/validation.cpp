@@ -109,8 +109,7 @@ using Sound = std::vector<const RunSummary*>;  // by spacing, coarse to fine
 std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     std::map<std::string, Sound> variants;
     for (const RunSummary& run : runs) {
-        if (applies(scene, run.record) && run.record.status == RunStatus::ok)
-            variants[run.record.variant].push_back(&run);
+        if (applies(scene, run.record) && counts(run)) variants[run.record.variant].push_back(&run);
     }
     for (auto& entry : variants) {
         std::sort(entry.second.begin(), entry.second.end(), [](const auto* a, const auto* b) {

@@ -60,8 +60,11 @@ static void from_json(const json& j, VerificationRow& row) {
 
 /// Each row with the name of its problem.
 static json rows_json(const VerificationProblem& problem) {
-    json rows = problem.rows;
-    for (json& row : rows) row["problem"] = problem.name;
+    json rows = json::array();
+    for (const VerificationRow& row : problem.rows) {
+        rows.push_back(row);
+        rows.back()["problem"] = problem.name;
+    }
     return rows;
 }
 

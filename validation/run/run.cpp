@@ -167,8 +167,11 @@ class Run {
         if (end_ < scene_.end_time) record.parameters["run.until"] = end_;
         record.provenance["reference_hashes"] =
             reference_hashes(scene_.analysis, reference_directory() / scene_.name());
-        if (!scene_.overrides.empty())
+        if (!scene_.overrides.empty()) {
+            const Scene base = parse_scene(scene_.text, scene_.path, scene_.variant);
+            record.provenance["base_setup_identity"] = setup_identity(base);
             record.provenance["overrides"] = fmt::format("{}", fmt::join(scene_.overrides, "; "));
+        }
         return record;
     }
 

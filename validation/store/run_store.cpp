@@ -195,7 +195,9 @@ RunRecord read_record(const std::filesystem::path& path) {
 RunRecord read_run(const std::filesystem::path& path) {
     const Seal seal = seal_in(path);
     if (seal == Seal::broken) throw DataError(path.string() + ": damaged, the checksum does not match");
-    if (seal == Seal::absent) rehearse(path, [&] { read_record(path); });
+    if (seal == Seal::absent)
+        try_in_child_process(
+            path, [&] { read_record(path); }, reading_time(path));
     return read_record(path);
 }
 

@@ -26,21 +26,22 @@ namespace {
 constexpr std::string_view mark = "\nwetdeck";
 constexpr std::size_t seal_size = sizeof(std::uint64_t) + mark.size();
 
-/// Ends the child by a signal if it takes more processor time than any sound file does.
-void limit_child(const std::filesystem::path& file) {
-    std::error_code ignored;
-    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-    constexpr double least_s = 0.5, bytes_per_s = 1 << 23;  // sound files take a tenth of that at most
-    const double seconds = least_s + (ignored ? 0 : static_cast<double>(size) / bytes_per_s);
+void set_timer(decltype(ITIMER_REAL) timer, double seconds) {
     const auto whole = static_cast<time_t>(seconds);
     const auto rest = static_cast<suseconds_t>(1e6 * (seconds - static_cast<double>(whole)));
     const itimerval time{{0, 0}, {whole, rest}};
-    const rlimit core{0, 0};
-    ::setitimer(ITIMER_PROF, &time, nullptr);
-    ::setrlimit(RLIMIT_CORE, &core);
-    for (const int signal : {SIGPROF, SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    ::setitimer(timer, &time, nullptr);
+}
+
+/// A signal ends the child once it exceeds its time, or if it crashes.
+void limit_child(const ReadingTime& limit) {
+    for (const int signal : {SIGPROF, SIGALRM, SIGINT, SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
         ::signal(signal, SIG_DFL);
-    const int nowhere = ::open("/dev/null", O_WRONLY);  // for the last words of a crash
+    set_timer(ITIMER_PROF, limit.processor_s);
+    set_timer(ITIMER_REAL, limit.wall_s);
+    const rlimit core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &core);
+    const int nowhere = ::open("/dev/null", O_WRONLY);  // hides what a crash prints
     if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
 }
 
@@ -63,14 +64,24 @@ Seal seal_in(const std::filesystem::path& path) {
     return seal_of(body) == std::string_view(bytes).substr(body.size()) ? Seal::whole : Seal::broken;
 }
 
-void rehearse(const std::filesystem::path& file, const std::function<void()>& read) {
+ReadingTime reading_time(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+    constexpr double least_s = 0.5, bytes_per_s = 1 << 23;
+    constexpr double least_wall_s = 60, wall_over_processor = 10;
+    const double processor_s = least_s + (ignored ? 0 : static_cast<double>(size) / bytes_per_s);
+    return {processor_s, least_wall_s + wall_over_processor * processor_s};
+}
+
+void try_in_child_process(const std::filesystem::path& file, const std::function<void()>& read,
+                          const ReadingTime& limit) {
     const pid_t child = ::fork();
     if (child < 0) throw environment_error(file, "start a process to read", errno);
     if (child == 0) {
-        limit_child(file);
+        limit_child(limit);
         try {
             read();
-        } catch (...) {  // it comes again where it can be told
+        } catch (...) {  // the parent reads the file again and reports it
         }
         ::_exit(0);
     }
@@ -78,9 +89,10 @@ void rehearse(const std::filesystem::path& file, const std::function<void()>& re
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     if (status == 0) return;
-    const bool endless = WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
-    throw DataError(file.string() + ": damaged, HDF5 " + (endless ? "does not come to an end" : "crashes") +
-                    " on it");
+    const bool timed_out =
+        WIFSIGNALED(status) && (WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGALRM);
+    throw DataError(file.string() + ": damaged, HDF5 " + (timed_out ? "does not finish" : "crashes while") +
+                    " reading it");
 }
 
 }  // namespace wetdeck

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The seal of a file: sixteen bytes behind the end of HDF5's own, a checksum of all before them and a mark.
-// HDF5 ignores them, and drops them when it writes into the file. They are looked at first, as HDF5 notices a
-// file that is too short but not a flipped bit, and can hang or crash on one.
+// The seal of a file: sixteen bytes behind the last byte of HDF5's own data, a checksum of everything before
+// them and a mark. HDF5 ignores the seal when it reads, and removes it when it writes into the file. The seal
+// is checked before HDF5 opens the file: HDF5 notices a truncated file but not a flipped bit, and may crash
+// or never return on one. A file without a seal is first read in a child process.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +12,7 @@
 
 namespace wetdeck {
 
-/// What is to be appended to the bytes of a file.
+/// The seal to append to these bytes.
 std::string seal_of(std::string_view bytes);
 
 enum class Seal { whole, broken, absent };
@@ -19,8 +20,18 @@ enum class Seal { whole, broken, absent };
 /// Absent also where there is no such file. Throws EnvironmentError if the file may not be read.
 Seal seal_in(const std::filesystem::path& file);
 
-/// For files without a seal: reads `file` in a child process, to see whether HDF5 comes back from it. Throws
-/// DataError if it crashes or does not end. What `read` returns or throws there is of no interest.
-void rehearse(const std::filesystem::path& file, const std::function<void()>& read);
+/// Time that a reading may take, of the processor and by the clock [s].
+struct ReadingTime {
+    double processor_s, wall_s;
+};
+
+/// Generous for the size of this file: an undamaged one takes a tenth of the processor time at most, and the
+/// clock allows for a busy machine.
+ReadingTime reading_time(const std::filesystem::path& file);
+
+/// Calls `read`, which reads `file`, in a child process. Throws DataError if the child crashes or exceeds the
+/// limit. The result of `read` and its exceptions are ignored.
+void try_in_child_process(const std::filesystem::path& file, const std::function<void()>& read,
+                          const ReadingTime& limit);
 
 }  // namespace wetdeck

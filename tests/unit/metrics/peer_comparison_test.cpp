@@ -12,7 +12,7 @@ ComparisonResult comparison(const std::string& kind, Curve measured, Curve simul
     ComparisonResult c;
     c.title = "title of " + kind;
     c.reference = kind + "_file";
-    c.kind = kind;
+    c.kind = reference_kind_named(kind);
     c.quantity = "gauge";
     c.window = Window{0.5, 2};
     c.measured = std::move(measured);

@@ -25,7 +25,7 @@ TEST_CASE("the interval is shorter where the air takes several steps in one", "[
         return inspection_interval(assemble(scene, 0.04, 1), 256, least);
     };
     CHECK(interval("single-phase", 1) == 256);
-    CHECK(interval("two-phase", 1) == 32);  // five steps of the air in one of the water
+    CHECK(interval("two-phase", 1) == 64);  // three steps of the air in one of the water
     CHECK(interval("two-phase", 100) == 100);
 }
 

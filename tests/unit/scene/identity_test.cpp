@@ -49,8 +49,8 @@ TEST_CASE("labels, tolerances, tiers and other variants do not change the identi
 TEST_CASE("everything that decides the results changes the identity of a run", "[identity]") {
     std::set<std::string> seen = {identity(small_scene)};
     for (const std::string assignment :
-         {"run.end_time=0.1", "run.sample_interval=0.002", "run.frames=[0.07]", "model.dissipation_slope=9",
-          "model.wall_slip=no", "model.air_substeps=3", "execution.skin=0.3", "water.sound_speed=15",
+         {"run.end_time=0.1", "run.sample_interval=0.003", "run.frames=[0.07]", "model.dissipation_slope=9",
+          "model.wall_slip=no", "model.air_substeps=5", "execution.skin=0.3", "water.sound_speed=15",
           "air.viscosity=2e-5", "gravity=[0.0, -9.8]", "initial.surface=0.21",
           "scheme=without-dissipation"}) {
         INFO(assignment);

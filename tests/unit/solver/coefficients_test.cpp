@@ -71,9 +71,12 @@ TEST_CASE("The pressure jump moves the velocity by 1/(Z_L + Z_R), with harmonic 
     Model model = two_phase_model();
     model.pressure_diffusion = 0.5;
     CHECK(water_with_air(model).mobility == Approx(0.5 / 30090));
-    model.velocity_mean = Mean::harmonic;
+    CHECK(water_with_air(model).right_mobility == 0);
+    model.impedance_mean = ImpedanceMean::harmonic;
     const double mean = 2 * water_impedance * air_impedance / (water_impedance + air_impedance);
-    CHECK(water_with_air(model).mobility == Approx(0.5 / (2 * mean)));
+    const PairCoefficients c = water_with_air(model);
+    CHECK(c.mobility + c.right_mobility / model.air.eos.reference_density == Approx(0.5 / (2 * mean)));
+    CHECK(c.mobility == Approx(0.5 * 0.25 / water_impedance));
 }
 
 TEST_CASE("Dissipation of water with water is limited, with air it is a share for both signs",

@@ -27,6 +27,23 @@ const std::vector<Ingredient>& ingredients() {
         {"arithmetic pressure mean", [](Model& m) { m.pressure_mean = Mean::arithmetic; }},
         {"density-weighted pressure mean", [](Model& m) { m.pressure_mean = Mean::density_weighted; }},
         {"harmonic pressure mean", [](Model& m) { m.pressure_mean = Mean::harmonic; }},
+        {"harmonic velocity mean of one sign, else arithmetic",
+         [](Model& m) {
+             m.velocity_mean = Mean::harmonic;
+             m.mean_guard = MeanGuard::same_sign_arithmetic;
+         }},
+        {"harmonic velocity mean of one sign, else zero",
+         [](Model& m) {
+             m.velocity_mean = Mean::harmonic;
+             m.mean_guard = MeanGuard::same_sign_zero;
+         }},
+        {"harmonic pressure mean of positive pressures, else arithmetic",
+         [](Model& m) {
+             m.pressure_mean = Mean::harmonic;
+             m.mean_guard = MeanGuard::same_sign_arithmetic;
+             m.water.eos.background_pressure = m.air.eos.background_pressure = 0;
+         }},
+        {"harmonic mean of rho c", [](Model& m) { m.impedance_mean = ImpedanceMean::harmonic; }},
         {"no pressure diffusion", [](Model& m) { m.pressure_diffusion = 0; }},
         {"hydrostatic jump kept", [](Model& m) { m.hydrostatic_correction = false; }},
         {"no dissipation", [](Model& m) { m.dissipation = Dissipation::none; }},

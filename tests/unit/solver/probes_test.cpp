@@ -122,7 +122,8 @@ TEST_CASE("The gap under a face is that to the nearest water in front of it, how
         body.inertia = 1;
         body.position = {0.5, height + 0.1};
         body.angle = angle;
-        const Simulation simulation = setup.simulate({body});
+        setup.bodies = {body};
+        const Simulation simulation = setup.simulate();
         return gap_to_water(simulation, 0, from, to);
     };
     const Vec2 low(-0.1, -0.1), high(0.1, -0.1);  // the lower face of a square

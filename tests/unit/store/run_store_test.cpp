@@ -2,8 +2,6 @@
 // run.h5: exact round trip, and nothing but a whole file is accepted.
 #include "validation/store/run_store.hpp"
 
-#include <signal.h>
-
 #include <catch2/catch.hpp>
 #include <functional>
 
@@ -155,19 +153,6 @@ TEST_CASE("damaged samples of a file without a seal are noticed", "[store]") {
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 0x10);  // inside a deflated chunk
     samples::put_bytes(run_file(folder), bytes);
     REQUIRE_THROWS_WITH(read_run(run_file(folder)), Catch::Contains("/series/front"));
-}
-
-TEST_CASE("a reader that crashes or does not end is noticed, and the program goes on", "[store]") {
-    const ScratchFolder folder;
-    REQUIRE_THROWS_WITH(rehearse(folder / "a.h5", [] { ::raise(SIGSEGV); }),
-                        (folder / "a.h5").string() + ": damaged, HDF5 crashes on it");
-    REQUIRE_THROWS_WITH(rehearse(folder / "a.h5",
-                                 [] {
-                                     for (volatile bool endless = true; endless;) {
-                                     }
-                                 }),
-                        (folder / "a.h5").string() + ": damaged, HDF5 does not come to an end on it");
-    REQUIRE_NOTHROW(rehearse(folder / "a.h5", [] { throw DataError("told by the reader itself"); }));
 }
 
 TEST_CASE("a run file that lacks a part says which", "[store]") {
