@@ -23,6 +23,7 @@ function(wetdeck_install_libraries)
           FILES_MATCHING PATTERN "*.hpp" PATTERN program EXCLUDE PATTERN scenes EXCLUDE PATTERN paraview EXCLUDE
           PATTERN pack.hpp EXCLUDE PATTERN instruction_sets.hpp EXCLUDE PATTERN sections.hpp EXCLUDE)
   install(FILES reports/report.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wetdeck/reports COMPONENT development)
+  install(FILES reports/page/report_inputs.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wetdeck/reports/page COMPONENT development)
   configure_package_config_file(cmake/wetdeck-config.cmake.in ${PROJECT_BINARY_DIR}/wetdeck-config.cmake
                                 INSTALL_DESTINATION ${wetdeck_package_folder})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/wetdeck-config-version.cmake COMPATIBILITY SameMinorVersion)

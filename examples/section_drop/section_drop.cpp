@@ -16,7 +16,7 @@ int main() {
     Model model;
     model.gravity = {0, -9.81};
     model.water.eos = {.reference_density = 1000, .sound_speed = 120};
-    model.tension = false;  // no air in this tank
+    model.negative_pressure = false;  // no air in this tank
 
     RigidBody body;  // its frame has the keel as origin
     body.free = {false, false, false};
@@ -33,7 +33,7 @@ int main() {
     WallParticles walls = tank_walls(tank, dx, support);
     add_body_particles(walls, 0, hull, body.position, dx, support);
 
-    Simulation simulation(model, water, walls, dx, tank, {body});
+    Simulation simulation({model, water, walls, dx, tank, {body}});
     double ratio = 0;
     const auto probe = [&](const Simulation& s) {
         const double wet = s.time() - dx / speed;  // since the keel met the water

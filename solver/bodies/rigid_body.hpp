@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A rigid body in the plane: three degrees of freedom, each moved by forces or kept at its velocity, Yang et
-// al. (2020), Eqs. (4)-(5) and (20)-(23).
+// al. (2020), Eqs. (4)-(5) and (20)-(23):
 //
 //     M dv/dt = F + M g + F_applied,   I domega/dt = T + T_applied
 //
-// Loads come in two parts: the slow one acts at the first and the last of the short steps that make a long
-// one, for all of them, the fast one in each.
+// Loads come in two parts: the slow loads, of the water, act in the first and the last of the short steps
+// that make a long one, with the weight of all of them; the fast loads, of the air, act in each.
 //
-// The wall pressure (17) holds the body's last acceleration: F = F0 - m a_last, with m the fluid that follows
-// the surface at once. Where m is larger than M this would swing up. With the same mass m on both sides,
+// The wall pressure (17) holds the body's last acceleration: F = F0 - m a_last, with m the added mass of the
+// water that follows the surface at once. Where m is larger than M this would oscillate and grow. With the
+// excess x = max(0, m - M) on both sides,
 //
-//     (M + m) a = F + M g + F_applied + m a_last,
+//     (M + x) a = F + M g + F_applied + x a_last,
 //
-// it settles within a few (M + m)/M long steps, on the same motion; what the body's momentum lacks meanwhile
-// is m (a_last - a_first) dt, not a sum over steps, as far as the fast loads are the same throughout a long
-// step dt. Only bodies lighter than that fluid get any of it.
+// the body settles on the same motion; its momentum lacks x (a_last - a_first) dt meanwhile, which does not
+// add up over steps as long as the fast loads are steady within a long step dt. Heavier bodies have no
+// excess.
+//
 // The pose is integrated, never the particles of the surface: they are placed from it, so that nothing
 // drifts.
 #pragma once
@@ -29,13 +31,13 @@
 
 namespace wetdeck {
 
-/// What acts on a body.
+/// Force and torque on a body.
 struct BodyLoad {
     Vec2 force = Vec2::Zero();  ///< [N/m]
     double torque = 0;          ///< about the mass centre [N]
 };
 
-/// One body: what it is, how it moves, what the fluid does to it.
+/// One body: its properties, its motion, the loads of the fluid.
 struct RigidBody {
     double mass = 0;                                ///< [kg/m]
     double inertia = 0;                             ///< about the mass centre [kg m]
@@ -50,13 +52,14 @@ struct RigidBody {
 
     Vec2 force = Vec2::Zero();         ///< by the fluid, of the last evaluation [N/m]
     double torque = 0;                 ///< by the fluid, about the mass centre [N]
-    BodyLoad slow;                     ///< the part of both that acts in long steps
-    BodyLoad slow_push;                ///< the same with m a_last, m g less
+    BodyLoad slow;                     ///< the slow part of both
+    BodyLoad slow_with_excess;         ///< the same with x (a_last - g)
     Vec2 acceleration = Vec2::Zero();  ///< of the mass centre [m/s^2]
     double angular_acceleration = 0;   ///< [rad/s^2]
 
-    double attached_mass = 0;     ///< of the fluid that follows the surface at once [kg/m]
-    double attached_inertia = 0;  ///< of the same, about the mass centre [kg m]
+    double added_mass = 0;     ///< of the water that follows the surface at once [kg/m]
+    double added_inertia = 0;  ///< of the same, about the mass centre [kg m]
+    double radius = 0;         ///< of the farthest boundary particle about the mass centre [m]
 
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
@@ -70,52 +73,53 @@ struct RigidBody {
             throw InputError("a body that is free to turn needs a positive inertia");
     }
 
-    /// What stands as m in the equation of motion [kg/m].
-    double following_mass() const { return std::max(0.0, attached_mass - mass); }
+    /// x in the equation of motion [kg/m].
+    double excess_mass() const { return std::max(0.0, added_mass - mass); }
     /// The same of rotation [kg m].
-    double following_inertia() const { return std::max(0.0, attached_inertia - inertia); }
+    double excess_inertia() const { return std::max(0.0, added_inertia - inertia); }
 
-    /// Sets the slow loads by the fluid. The fast ones must be set after them.
-    void load_slow(const BodyLoad& load, Vec2 gravity) {
+    /// Sets the slow loads by the fluid. The fast loads must be set after them.
+    void set_slow_load(const BodyLoad& load, Vec2 gravity) {
         slow = load;
-        slow_push.force = load.force + following_mass() * (acceleration - gravity);
-        slow_push.torque = load.torque + following_inertia() * angular_acceleration;
+        slow_with_excess.force = load.force + excess_mass() * (acceleration - gravity);
+        slow_with_excess.torque = load.torque + excess_inertia() * angular_acceleration;
     }
 
-    /// Sets the fast loads by the fluid, and the accelerations that follow from all.
-    void load_fast(const BodyLoad& load, Vec2 gravity) {
+    /// Sets the fast loads by the fluid, and the accelerations that follow from all loads.
+    void set_fast_load(const BodyLoad& load, Vec2 gravity) {
         force = load.force + slow.force;
         torque = load.torque + slow.torque;
-        const Vec2 sum = load.force + slow_push.force + applied_force;
+        const Vec2 total_force = load.force + slow_with_excess.force + applied_force;
         for (int k = 0; k < 2; ++k) {
             const bool moves = free[static_cast<std::size_t>(k)];
-            acceleration[k] = moves ? sum[k] / (mass + following_mass()) + gravity[k] : 0;
+            acceleration[k] = moves ? total_force[k] / (mass + excess_mass()) + gravity[k] : 0;
         }
-        const double twist = load.torque + slow_push.torque + applied_torque;
-        angular_acceleration = free[2] ? twist / (inertia + following_inertia()) : 0;
+        const double total_torque = load.torque + slow_with_excess.torque + applied_torque;
+        angular_acceleration = free[2] ? total_torque / (inertia + excess_inertia()) : 0;
     }
 
-    /// Velocities and impulses over a time [s] with the loads as they are; the slow ones act over that time
-    /// as often as their weight says.
+    /// Velocities and impulses over a time [s] under the present loads. The slow loads act over that time as
+    /// often as their weight says.
     void kick(double duration, double slow_weight) {
         const double longer = (slow_weight - 1) * duration;
-        const Vec2 push = duration * force + longer * slow.force;
-        const double twist = duration * torque + longer * slow.torque;
-        Vec2 gain = duration * acceleration;
+        const Vec2 linear_impulse = duration * force + longer * slow.force;
+        const double torque_impulse = duration * torque + longer * slow.torque;
+        Vec2 velocity_gain = duration * acceleration;
         for (int k = 0; k < 2; ++k) {
             const bool moves = free[static_cast<std::size_t>(k)];
-            if (moves) gain[k] += longer * slow_push.force[k] / (mass + following_mass());
+            if (moves) velocity_gain[k] += longer * slow_with_excess.force[k] / (mass + excess_mass());
         }
-        double spin = duration * angular_acceleration;
-        if (free[2]) spin += longer * slow_push.torque / (inertia + following_inertia());
-        work += push.dot(velocity + 0.5 * gain) + twist * (angular_velocity + 0.5 * spin);
-        velocity += gain;
-        angular_velocity += spin;
-        impulse += push;
-        angular_impulse += twist;
+        double rotation_gain = duration * angular_acceleration;
+        if (free[2]) rotation_gain += longer * slow_with_excess.torque / (inertia + excess_inertia());
+        work += linear_impulse.dot(velocity + 0.5 * velocity_gain) +
+                torque_impulse * (angular_velocity + 0.5 * rotation_gain);
+        velocity += velocity_gain;
+        angular_velocity += rotation_gain;
+        impulse += linear_impulse;
+        angular_impulse += torque_impulse;
     }
 
-    /// Position and angle over a time [s] with the velocities as they are.
+    /// Position and angle over a time [s] at the present velocities.
     void drift(double duration) {
         position += duration * velocity;
         angle += duration * angular_velocity;
@@ -130,10 +134,8 @@ struct RigidBody {
 
     /// Velocity of the body where `arm` leads from the mass centre, Eq. (5) [m/s].
     Vec2 velocity_at(Vec2 arm) const { return velocity + angular_velocity * Vec2(-arm.y(), arm.x()); }
-    /// A speed that no point within `radius` [m] of the mass centre exceeds [m/s].
-    double fastest_within(double radius) const {
-        return velocity.norm() + radius * std::abs(angular_velocity);
-    }
+    /// A speed that no boundary particle exceeds [m/s].
+    double fastest() const { return velocity.norm() + radius * std::abs(angular_velocity); }
     /// Acceleration there: of the centre, of the rotation, and centripetal [m/s^2].
     Vec2 acceleration_at(Vec2 arm) const {
         return acceleration + angular_acceleration * Vec2(-arm.y(), arm.x()) -
@@ -144,5 +146,16 @@ struct RigidBody {
         return 0.5 * (mass * velocity.squaredNorm() + inertia * angular_velocity * angular_velocity);
     }
 };
+
+/// Calls visit(number) for each number of a body that changes in time: the contents and order of a
+/// checkpoint.
+template <class Body, class Visit>
+void for_each_number(Body& b, const Visit& visit) {
+    const auto all = [&visit](auto&... numbers) { (visit(numbers), ...); };
+    all(b.position.x(), b.position.y(), b.angle, b.velocity.x(), b.velocity.y(), b.angular_velocity);
+    all(b.force.x(), b.force.y(), b.torque, b.acceleration.x(), b.acceleration.y(), b.angular_acceleration);
+    all(b.impulse.x(), b.impulse.y(), b.angular_impulse, b.work);
+    for (auto* load : {&b.slow, &b.slow_with_excess}) all(load->force.x(), load->force.y(), load->torque);
+}
 
 }  // namespace wetdeck

@@ -81,7 +81,7 @@ NeighbourList::Cell NeighbourList::cell_of(double x, double y) const {
             clamped(y - origin_.y(), grid_.cell_height, grid_.rows)};
 }
 
-void NeighbourList::place_fixed(WallParticles& walls) {
+void NeighbourList::sort_fixed_walls(WallParticles& walls) {
     sort_walls(walls, 0, walls.fixed, fixed_start_);
     for (std::size_t n = 0; n < walls.fixed; ++n) {
         const Cell cell = cell_of(walls.state[n].x, walls.state[n].y);
@@ -97,28 +97,16 @@ void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::siz
         key_[i] = cell_index(cell_of(walls.state[begin + i].x, walls.state[begin + i].y));
     counting_sort(key_, cells(), start, order_);
     for (std::uint32_t& s : start) s += static_cast<std::uint32_t>(begin);
-    WallParticles& sorted = sorted_walls_;
-    const bool of_bodies = begin >= walls.fixed;
-    sorted.state.resize(count);
-    sorted.mean.resize(count);
-    sorted.id.resize(count);
-    sorted.body_point.resize(of_bodies ? count : 0);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t from = begin + order_[i];
-        sorted.state[i] = walls.state[from];
-        sorted.mean[i] = walls.mean[from];
-        sorted.id[i] = walls.id[from];
-        if (of_bodies) sorted.body_point[i] = walls.body_point[from - walls.fixed];
-    }
-    const auto offset = static_cast<std::ptrdiff_t>(begin);
-    std::copy(sorted.state.begin(), sorted.state.end(), walls.state.begin() + offset);
-    std::copy(sorted.mean.begin(), sorted.mean.end(), walls.mean.begin() + offset);
-    std::copy(sorted.id.begin(), sorted.id.end(), walls.id.begin() + offset);
-    std::copy(sorted.body_point.begin(), sorted.body_point.end(),
-              walls.body_point.begin() + (of_bodies ? offset - static_cast<std::ptrdiff_t>(walls.fixed) : 0));
+    for_each_field(sorted_walls_, [&](const auto& field, auto& sorted) {
+        if (field.sorted == Sorted::no) return;
+        auto& values = walls.*field.values;
+        sorted.resize(count);
+        for (std::size_t i = 0; i < count; ++i) sorted[i] = values[begin + order_[i]];
+        std::copy(sorted.begin(), sorted.end(), values.begin() + static_cast<std::ptrdiff_t>(begin));
+    });
 }
 
-void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads) {
+void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, NearFilter near, int threads) {
     if (images_) images_->wrap(fluid);
     sort_fluid(fluid, threads);
     if (images_) place_images(fluid);
@@ -130,7 +118,7 @@ void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, const Pai
     for (std::size_t n = walls.fixed; n < walls.size(); ++n)
         built_body_.emplace_back(walls.state[n].x, walls.state[n].y);
     slack_ = skin_;
-    list_neighbours(fluid, walls, loops, threads);
+    list_neighbours(fluid, walls, near, threads);
 }
 
 bool NeighbourList::still_complete(double farthest, const FluidParticles& fluid, const WallParticles& walls,
@@ -187,23 +175,21 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
         key_[i] = sort_key(fluid.state[i].x, fluid.state[i].y, fluid.phase(i));
     }
     counting_sort(key_, phase_count * cells(), fluid_start_, order_);
-    sorted_.state.resize(fluid.size());
-    sorted_.mass.resize(fluid.size());
-    sorted_.id.resize(fluid.size());
+    for_each_field(sorted_, [&](const auto& field, auto& values) {
+        if (field.sorted == Sorted::yes) values.resize(fluid.size());
+    });
     built_.resize(2 * fluid.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         const std::uint32_t from = order_[i];
-        sorted_.state[i] = fluid.state[from];
-        sorted_.mass[i] = fluid.mass[from];
-        sorted_.id[i] = fluid.id[from];
+        copy_sorted_fields(fluid, from, sorted_, i);
         built_[2 * i] = fluid.state[from].x;
         built_[2 * i + 1] = fluid.state[from].y;
     }
-    std::swap(sorted_.state, fluid.state);
-    std::swap(sorted_.mass, fluid.mass);
-    std::swap(sorted_.id, fluid.id);
+    for_each_field(fluid, [&](const auto& field, auto& values) {
+        if (field.sorted == Sorted::yes) std::swap(values, sorted_.*field.values);
+    });
 }
 
 /// Sorts the images like the fluid: by phase, then along the grid.
@@ -219,76 +205,81 @@ void NeighbourList::place_images(const FluidParticles& fluid) {
     for (std::uint32_t& start : image_start_) start += static_cast<std::uint32_t>(fluid.size());
 }
 
-void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParticles& walls,
-                                    const PairLoops& loops, int threads) {
+/// What the search for the neighbours of every cluster reads.
+struct NeighbourList::Search {
+    const FluidParticles& fluid;
+    const FluidState* listed;  ///< the fluid and its periodic images
+    const WallParticles& walls;
+    NearFilter near;
+};
+
+void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParticles& walls, NearFilter near,
+                                    int threads) {
     if (with_walls_own_lists_) {
         wall_clusters_.clear();
         append_clusters(wall_clusters_, 0, walls.fixed, Phase::water);
         append_clusters(wall_clusters_, walls.fixed, walls.size(), Phase::water);
     }
-    const std::size_t fluid_clusters = clusters_.size();
-    const std::size_t total = fluid_clusters + wall_clusters_.size();
+    const std::size_t total = clusters_.size() + wall_clusters_.size();
     const std::size_t blocks = (total + clusters_per_block - 1) / clusters_per_block;
-    if (block_lists_.size() < blocks) block_lists_.resize(blocks);
-    constexpr std::size_t line = sizeof(FluidState) / sizeof(double);
-    const FluidState* listed_fluid = listed(fluid);
-
+    if (blocks_.size() < blocks) blocks_.resize(blocks);
+    const Search search{fluid, listed(fluid), walls, near};
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-    for (std::int64_t b = 0; b < static_cast<std::int64_t>(blocks); ++b) {
-        const auto block = static_cast<std::size_t>(b);
-        std::vector<std::uint32_t>& list = block_lists_[block];
-        std::size_t used = 0;
-        const std::size_t first = block * clusters_per_block;
-        const std::size_t last = std::min(total, first + clusters_per_block);
-        std::size_t offsets[clusters_per_block];
-        for (std::size_t n = first; n < last; ++n) {
-            const bool of_wall = n >= fluid_clusters;
-            Cluster& cluster = of_wall ? wall_clusters_[n - fluid_clusters] : clusters_[n];
-            offsets[n - first] = used;
-            const ClusterPoints points =
-                of_wall ? points_of(walls.state.data(), cluster) : points_of(fluid.state.data(), cluster);
-            const Box box = bounds(points);
-            const Cell low = cell_of(box.low.x() - reach_, box.low.y() - reach_);
-            const Cell high = cell_of(box.high.x() + reach_, box.high.y() + reach_);
-            const auto search = [&](const double* positions, std::size_t stride, const std::uint32_t* start) {
-                const std::size_t before = used;
-                for (std::uint32_t strip = low.strip; strip <= high.strip; ++strip) {
-                    const std::uint32_t begin = start[cell_index({strip, low.row})];
-                    const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
-                    if (begin == end) continue;
-                    // one entry of slack: the filter writes each candidate before it knows whether to keep it
-                    const std::size_t most = used + (end - begin) + 1;
-                    if (list.size() < most) {
-                        list.reserve(most + most / 8);  // by itself it would double
-                        list.resize(list.capacity());
-                    }
-                    used +=
-                        loops.filter_near(points, positions, stride, begin, end, reach_, list.data() + used);
-                }
-                return static_cast<std::uint32_t>(used - before);
-            };
-            for (std::size_t phase = 0; phase < phase_count; ++phase) {
-                std::uint32_t& count = cluster.fluid_neighbours[phase];
-                count =
-                    fluid.size() == 0 ? 0 : search(built_.data(), 2, fluid_start_.data() + phase * cells());
-                if (images_) count += search(&listed_fluid->x, line, image_start_.data() + phase * cells());
-            }
-            cluster.wall_neighbours = 0;
-            if (of_wall) continue;
-            if (walls.fixed > 0)
-                cluster.wall_neighbours += search(&walls.state[0].x, line, fixed_start_.data());
-            if (walls.size() > walls.fixed)
-                cluster.wall_neighbours += search(&walls.state[0].x, line, body_start_.data());
-        }
-        for (std::size_t n = first; n < last; ++n) {
-            (n >= fluid_clusters ? wall_clusters_[n - fluid_clusters] : clusters_[n]).neighbours =
-                list.data() + offsets[n - first];
-        }
-    }
+    for (std::int64_t block = 0; block < static_cast<std::int64_t>(blocks); ++block)
+        list_block(search, static_cast<std::size_t>(block));
     shares_ = equal_shares(clusters_, threads);
-    air_shares_ = equal_shares(clusters_, threads, true);
+    air_shares_ = equal_shares(clusters_, threads, Pairs::with_air);
     std::erase_if(wall_clusters_,
                   [](const Cluster& c) { return c.fluid_neighbours[0] + c.fluid_neighbours[1] == 0; });
+}
+
+/// The neighbours of the clusters of one block, appended to its list one after the other.
+void NeighbourList::list_block(const Search& search, std::size_t block) {
+    constexpr std::size_t line = sizeof(FluidState) / sizeof(double);
+    const FluidParticles& fluid = search.fluid;
+    const WallParticles& walls = search.walls;
+    std::vector<std::uint32_t>& list = blocks_[block];
+    std::size_t used = 0;
+    const std::size_t total = clusters_.size() + wall_clusters_.size();
+    const std::size_t last = std::min(total, (block + 1) * clusters_per_block);
+    for (std::size_t n = block * clusters_per_block; n < last; ++n) {
+        const bool of_wall = n >= clusters_.size();
+        Cluster& cluster = of_wall ? wall_clusters_[n - clusters_.size()] : clusters_[n];
+        cluster.block = static_cast<std::uint32_t>(block);
+        cluster.offset = static_cast<std::uint32_t>(used);
+        const ClusterPoints points =
+            of_wall ? points_of(walls.state.data(), cluster) : points_of(fluid.state.data(), cluster);
+        const Box box = bounds(points);
+        const Cell low = cell_of(box.low.x() - reach_, box.low.y() - reach_);
+        const Cell high = cell_of(box.high.x() + reach_, box.high.y() + reach_);
+        const auto add_near = [&](const double* positions, std::size_t stride, const std::uint32_t* start) {
+            const std::size_t before = used;
+            for (std::uint32_t strip = low.strip; strip <= high.strip; ++strip) {
+                const std::uint32_t begin = start[cell_index({strip, low.row})];
+                const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
+                if (begin == end) continue;
+                // one entry of slack: the filter writes each candidate before it knows whether to keep it
+                const std::size_t most = used + (end - begin) + 1;
+                if (list.size() < most) {
+                    list.reserve(most + most / 8);  // by itself it would double
+                    list.resize(list.capacity());
+                }
+                used += search.near(points, {positions, stride, begin, end}, reach_, list.data() + used);
+            }
+            return static_cast<std::uint32_t>(used - before);
+        };
+        for (std::size_t phase = 0; phase < phase_count; ++phase) {
+            std::uint32_t& count = cluster.fluid_neighbours[phase];
+            count = fluid.size() == 0 ? 0 : add_near(built_.data(), 2, fluid_start_.data() + phase * cells());
+            if (images_) count += add_near(&search.listed->x, line, image_start_.data() + phase * cells());
+        }
+        cluster.wall_neighbours = 0;
+        if (of_wall) continue;
+        if (walls.fixed > 0)
+            cluster.wall_neighbours += add_near(&walls.state[0].x, line, fixed_start_.data());
+        if (walls.size() > walls.fixed)
+            cluster.wall_neighbours += add_near(&walls.state[0].x, line, body_start_.data());
+    }
 }
 
 std::size_t NeighbourList::entries() const {
@@ -299,15 +290,18 @@ std::size_t NeighbourList::entries() const {
 }
 
 std::size_t NeighbourList::bytes() const {
-    std::size_t sum =
-        (clusters_.capacity() + wall_clusters_.capacity()) * sizeof(Cluster) +
-        built_.capacity() * sizeof(double) + built_body_.capacity() * sizeof(Vec2) + motion_.bytes() +
-        (key_.capacity() + order_.capacity() + fluid_start_.capacity() + image_start_.capacity() +
-         fixed_start_.capacity() + body_start_.capacity() + sorted_.id.capacity()) *
-            sizeof(std::uint32_t) +
-        sorted_.state.capacity() * sizeof(FluidState) + sorted_.mass.capacity() * sizeof(double) +
-        sorted_walls_.state.capacity() * sizeof(WallState);
-    for (const auto& list : block_lists_) sum += list.capacity() * sizeof(std::uint32_t);
+    std::size_t sum = (clusters_.capacity() + wall_clusters_.capacity()) * sizeof(Cluster) +
+                      built_.capacity() * sizeof(double) + built_body_.capacity() * sizeof(Vec2) +
+                      motion_.bytes() +
+                      (key_.capacity() + order_.capacity() + fluid_start_.capacity() +
+                       image_start_.capacity() + fixed_start_.capacity() + body_start_.capacity()) *
+                          sizeof(std::uint32_t);
+    const auto add = [&sum](const auto&, const auto& values) {
+        sum += values.capacity() * sizeof(values[0]);
+    };
+    for_each_field(sorted_, add);
+    for_each_field(sorted_walls_, add);
+    for (const auto& block : blocks_) sum += block.capacity() * sizeof(std::uint32_t);
     return sum;
 }
 

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "solver/core/vec2.hpp"
+#include "solver/neighbours/cluster.hpp"
 #include "solver/neighbours/periodic_images.hpp"
 #include "solver/neighbours/relative_motion.hpp"
-#include "solver/particles/particles.hpp"
-#include "solver/passes/pair_loop.hpp"
+#include "solver/particles/walls.hpp"
 
 namespace wetdeck {
 
@@ -29,16 +29,16 @@ class NeighbourList {
                   bool with_walls_own_lists, bool periodic_x = false);
 
     /// Sorts the tank's boundary particles along the grid. Needed once, before the first build.
-    void place_fixed(WallParticles& walls);
+    void sort_fixed_walls(WallParticles& walls);
 
     /// Sorts the fluid and the particles of bodies along the grid (ids keep track) and lists all pairs within
     /// support and skin. Where the domain is periodic, particles that have left it come in at the other end.
-    void build(FluidParticles& fluid, WallParticles& walls, const PairLoops& loops, int threads);
+    void build(FluidParticles& fluid, WallParticles& walls, NearFilter near, int threads);
 
-    /// To be told of every move: no particle has moved by more than `farthest` [m] since the last call, or
+    /// Call it after every move: no particle has moved by more than `farthest` [m] since the last call, or
     /// the build. Returns whether the list is still complete; once it is not, it must be built.
     ///
-    /// Looks at the particles only when the sum of the longest moves has used up what was left of the skin.
+    /// Looks at the particles only when the sum of the longest moves has used up the rest of the skin.
     bool still_complete(double farthest, const FluidParticles& fluid, const WallParticles& walls,
                         int threads);
     double skin() const { return skin_; }  ///< [m]
@@ -51,11 +51,13 @@ class NeighbourList {
     const double* built_positions() const { return built_.data(); }
 
     /// What the indices of neighbours mean: the fluid, and behind it its periodic images as they now are.
-    const FluidState* listed(const FluidParticles& fluid) {
+    const FluidState* listed(const FluidParticles& fluid) const {
         return images_ ? images_->appended_to(fluid) : fluid.state.data();
     }
 
     const std::vector<Cluster>& clusters() const { return clusters_; }
+    /// Neighbours of the clusters and of the wall clusters.
+    const NeighbourBlocks& blocks() const { return blocks_; }
     /// Of the clusters, one a thread.
     const std::vector<std::size_t>& shares() const { return shares_; }
     /// The same of the pairs with air.
@@ -84,8 +86,10 @@ class NeighbourList {
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
                     std::vector<std::uint32_t>& start);
     void collect_moves(const FluidParticles& fluid, const WallParticles& walls, int threads);
-    void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, const PairLoops& loops,
+    void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, NearFilter near,
                          int threads);
+    struct Search;
+    void list_block(const Search& search, std::size_t block);
 
     std::optional<PeriodicImages> images_;
     Vec2 origin_;
@@ -99,9 +103,9 @@ class NeighbourList {
     std::vector<std::uint32_t> fixed_start_, body_start_;  ///< first boundary particle of a cell
     std::vector<Cluster> clusters_, wall_clusters_;
     std::vector<std::size_t> shares_, air_shares_;
-    std::vector<std::vector<std::uint32_t>> block_lists_;  ///< neighbour indices of a block of clusters
-    std::vector<double> built_;                            ///< x, y of each fluid particle at the last build
-    std::vector<Vec2> built_body_;                         ///< places of the bodies' particles then
+    NeighbourBlocks blocks_;
+    std::vector<double> built_;     ///< x, y of each fluid particle at the last build
+    std::vector<Vec2> built_body_;  ///< positions of the bodies' particles then
     std::vector<std::uint32_t> key_, order_;
     FluidParticles sorted_;  ///< scratch of the sort, kept to avoid allocation
     WallParticles sorted_walls_;

@@ -38,7 +38,7 @@ void PeriodicImages::reorder(const std::vector<std::uint32_t>& order) {
     std::swap(images_, reordered_);
 }
 
-const FluidState* PeriodicImages::appended_to(const FluidParticles& fluid) {
+const FluidState* PeriodicImages::appended_to(const FluidParticles& fluid) const {
     all_.resize(fluid.size() + images_.size());
     auto next = std::copy(fluid.state.begin(), fluid.state.end(), all_.begin());
     for (const Image& image : images_) {

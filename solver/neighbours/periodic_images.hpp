@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/core/vec2.hpp"
-#include "solver/particles/particles.hpp"
+#include "solver/particles/fluid.hpp"
 
 namespace wetdeck {
 
@@ -32,12 +32,12 @@ class PeriodicImages {
     void reorder(const std::vector<std::uint32_t>& order);
 
     /// The fluid as it is now with its images behind it; valid until the next call.
-    const FluidState* appended_to(const FluidParticles& fluid);
+    const FluidState* appended_to(const FluidParticles& fluid) const;
 
   private:
     double low_, high_, depth_;
     std::vector<Image> images_, reordered_;
-    std::vector<FluidState> all_;
+    mutable std::vector<FluidState> all_;  ///< scratch of appended_to
 };
 
 }  // namespace wetdeck

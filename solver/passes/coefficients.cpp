@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a model to the numbers that the pair loops use, one set per ordered pair of phases.
-
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/coefficients.hpp"
 
 namespace wetdeck {
 namespace {
@@ -42,11 +40,13 @@ PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, 
     const double impedance = harmonic_mean(l.impedance(), r.impedance());
     PairCoefficients c;
     c.weight_right = velocity_weights(model.velocity_mean, l, r).right;
-    // The paper's harmonic mean of rho c gives (Z_l + Z_r) / (4 Z_l Z_r); with impedance weights 1 / (Z_l +
-    // Z_r) is exact.
-    c.mobility =
-        model.pressure_diffusion *
-        (model.velocity_mean == Mean::harmonic ? 0.5 / impedance : 1 / (l.impedance() + r.impedance()));
+    if (model.impedance_mean == ImpedanceMean::harmonic) {
+        // 1 / (2 harmonic mean) = (1/Z_l + 1/Z_r) / 4, each share at the present density of its particle
+        c.mobility = 0.25 * model.pressure_diffusion / l.impedance();
+        c.right_mobility = 0.25 * model.pressure_diffusion * r.eos.reference_density / r.impedance();
+    } else {
+        c.mobility = model.pressure_diffusion / (l.impedance() + r.impedance());
+    }
     // Half the way from water to air is through either: the surface of a still column then leaks half as fast
     // as with a harmonic mean.
     c.hydrostatic_density = 0.5 * (l.eos.reference_density + r.eos.reference_density);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One set of pair loops per instruction set; each lives in a namespace of its own (see passes.cpp).
+// One set of passes per instruction set; each is compiled in a namespace of its own.
 #pragma once
 
 namespace wetdeck {
 
 struct Model;
-struct PairLoops;
+struct PairPasses;
 
 namespace sse2 {
-PairLoops choose_pair_loops(const Model& model);
+PairPasses choose_pair_passes(const Model& model);
 }
 namespace avx2 {
-PairLoops choose_pair_loops(const Model& model);
+PairPasses choose_pair_passes(const Model& model);
 }
 namespace avx512 {
-PairLoops choose_pair_loops(const Model& model);
+PairPasses choose_pair_passes(const Model& model);
 }
 
 }  // namespace wetdeck

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loops over boundary particles. Compiled once per instruction set, with WETDECK_ISA naming the
-// namespace.
-#include "solver/passes/wall_pairs.hpp"
+// The passes over boundary particles: means of the fluid around them and forces on bodies.
+#include "solver/passes/isa_passes.hpp"
+#include "solver/passes/wall_pair.hpp"
 
 namespace wetdeck::WETDECK_ISA {
+namespace {
 
-// --- walls: P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, Eq. (19)
-
-/// The fluid in front of each particle's face counts: what is behind a thin body belongs to its other face.
+/// Yang et al. (2020), Eq. (19): P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, and
+/// the mean velocity likewise. Only the fluid in front of a particle's face counts: fluid behind a thin body
+/// belongs to its other face.
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
     const double inverse_h = 1 / in.kernel.smoothing_length;
@@ -18,12 +19,13 @@ void wall_means(const PassInput& in) {
         Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0;
         const std::uint32_t count =
             cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
+        const std::uint32_t* neighbours = fluid_neighbours(*in.blocks, cluster, 0).data();
         for (std::uint32_t k = 0; k < count; ++k) {
-            const FluidState& f = in.fluid[cluster.neighbours[k]];
+            const FluidState& f = in.fluid[neighbours[k]];
             const Separation s = separation(w, f.x, f.y);
             const Pack behind = s.x * w.nx + s.y * w.ny;
-            const Pack weight = select(behind > 0.0, 0.0, WendlandC2::bell(s.distance, inverse_h));
-            pressure_sum += weight * (f.pressure - f.density * (w.drive_x * s.x + w.drive_y * s.y));
+            const Pack weight = select(behind > 0.0, 0.0, WendlandC2::shape(s.distance, inverse_h));
+            pressure_sum += weight * (f.pressure - f.density * (w.relative_x * s.x + w.relative_y * s.y));
             weight_sum += weight;
             vx_sum += weight * f.vx;
             vy_sum += weight * f.vy;
@@ -36,21 +38,19 @@ void wall_means(const PassInput& in) {
     }
 }
 
-namespace {
-
-/// The same pairs seen from eight boundary particles: minus twice V_i V_w P* F r_iw / r, less the slope
-/// factor.
-template <bool no_slip, bool shepard>
-void reaction_sum(const PassInput& in, const WallLanes& w, Pack mean, const std::uint32_t* neighbours,
-                  std::uint32_t count, const WallCoefficients& c, VectorSum& sum) {
+/// The pairs of the momentum pass seen from eight boundary particles: minus twice V_i V_w P* F r_iw / r, less
+/// the slope factor.
+template <WallTerms terms>
+void add_reactions(const PassInput& in, const WallLanes& w, Pack mean, Neighbours neighbours,
+                   const WallCoefficients& c, VectorSum& sum) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
-    for (std::uint32_t n = 0; n < count; ++n) {
-        const FluidState& f = in.fluid[neighbours[n]];
+    const WallSide<Pack> wall = {w.nx, w.ny, w.relative_x, w.relative_y, mean};
+    for (const std::uint32_t index : neighbours) {
+        const FluidState& f = in.fluid[index];
         const Separation s = separation(w, f.x, f.y);
-        const Pack p_star =
-            wall_p_star<no_slip, shepard>(f.pressure, f.density, -s.x, -s.y, f.vx - w.vx, f.vy - w.vy,
-                                          s.inverse_distance, w.nx, w.ny, w.drive_x, w.drive_y, mean, c);
-        const Pack weight = f.volume * WendlandC2::cubed_reach(s.distance, inverse_h) * p_star;
+        const WallPairGeometry pair = {-s.x, -s.y, f.vx - w.vx, f.vy - w.vy, s.inverse_distance};
+        const Pack p_star = wall_p_star<terms>(FluidSide<double>{f.pressure, f.density}, wall, pair, c);
+        const Pack weight = f.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
         sum.x += weight * s.x;
         sum.y += weight * s.y;
     }
@@ -70,14 +70,12 @@ void body_forces(const PassInput& in) {
         for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
             mean.lanes[lane] = in.wall_mean[cluster.first + std::min(lane, cluster.count - 1)].pressure;
         }
-        const std::uint32_t* neighbours = cluster.neighbours;
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
-            const std::uint32_t count = cluster.fluid_neighbours[phase];
-            const auto reaction =
-                in.wall_pressure_mean[phase] ? reaction_sum<no_slip, true> : reaction_sum<no_slip, false>;
-            if (in.loading[phase]) reaction(in, w, mean, neighbours, count, in.wall_pair[phase], sum);
-            neighbours += count;
+            if (!in.loading[phase]) continue;
+            const auto add = in.wall_pressure_mean[phase] ? add_reactions<WallTerms{no_slip, true}>
+                                                          : add_reactions<WallTerms{no_slip, false}>;
+            add(in, w, mean, fluid_neighbours(*in.blocks, cluster, phase), in.wall_pair[phase], sum);
         }
         store(factor * sum.x, in.wall_force_x, cluster);
         store(factor * sum.y, in.wall_force_y, cluster);
@@ -85,6 +83,10 @@ void body_forces(const PassInput& in) {
 }
 
 }  // namespace
+
+Pass wall_mean_pass() {
+    return wall_means;
+}
 
 Pass body_force_pass(const Model& model) {
     return model.wall_slip == WallSlip::no ? body_forces<true> : body_forces<false>;

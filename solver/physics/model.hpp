@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every choice a scene makes about the physics. Each ingredient is one enum or one number here, one file in
-// physics/.
+// Every choice that a scene makes about the physics. Each ingredient is one enumeration or one number here
+// and one file in physics/.
 #pragma once
 
 #include "solver/core/vec2.hpp"
@@ -21,15 +21,17 @@ struct Material {
     double impedance() const { return eos.reference_density * eos.sound_speed; }
 };
 
-/// Fluids, forces and scheme. The defaults are the scheme that solver/README.md explains.
+/// Fluids, forces and scheme. The defaults are the scheme that docs/theory.md explains.
 struct Model {
     Material water;                ///< phase 0
     Material air;                  ///< phase 1; unused where there is none
     Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
     double central_frequency = 0;  ///< of a pull towards the origin, -frequency^2 r [1/s]; fluid only
 
-    Mean velocity_mean = Mean::impedance_weighted;  ///< of the two particles in u*
-    Mean pressure_mean = Mean::impedance_weighted;  ///< of the two particles in P*
+    Mean velocity_mean = Mean::impedance_weighted;             ///< of the two particles in u*
+    Mean pressure_mean = Mean::impedance_weighted;             ///< of the two particles in P*
+    MeanGuard mean_guard = MeanGuard::division;                ///< of harmonic means
+    ImpedanceMean impedance_mean = ImpedanceMean::arithmetic;  ///< of rho c in u*
     double pressure_diffusion = 1;       ///< factor on the pressure jump in u*, 1 is the Riemann value
     bool hydrostatic_correction = true;  ///< the jump counts only beyond the hydrostatic one
     Dissipation dissipation = Dissipation::low_dissipation;  ///< of approaching pairs
@@ -40,18 +42,16 @@ struct Model {
     WallSlip wall_slip = WallSlip::free;    ///< whether walls drag the fluid along
     WallPressure wall_pressure = WallPressure::shepard_water;  ///< pressure of a dummy particle
     WallVelocity wall_velocity = WallVelocity::mirrored;       ///< velocity of a dummy particle
-    double wall_dissipation = 3;  ///< limiter slope of the wall-normal dissipation, 0 for none
-    double sponge_thickness = 0;  ///< of the layer along the tank's walls [m], 0 for none
-    bool tension = true;          ///< false: density is kept at or above the reference (water without air)
-    double full_cover = 0.9;      ///< of a support that lets the density of water rise, 0 for any
+    double wall_dissipation = 3;    ///< limiter slope of the wall-normal dissipation, 0 for none
+    double sponge_thickness = 0;    ///< of the layer along the tank's walls [m], 0 for none
+    bool negative_pressure = true;  ///< false: density is kept at or above the reference (water without air)
+    double full_kernel_sum = 0.9;   ///< kernel sum from which the density of water may rise, 0 for any
 
-    bool periodic_x = false;  ///< the domain's left and right end are one place; no bodies, no sponge
+    bool periodic_x = false;  ///< the domain's left and right end are joined; no bodies, no sponge
 
     double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
-    int air_substeps = 1;          ///< steps of the air in one of the water, odd; 0: as their sounds go
-    double skin = 0.2;             ///< of the neighbour list, in smoothing lengths
-    int threads = 0;               ///< 0: all that OpenMP offers
+    int air_substeps = 1;          ///< steps of the air in one of the water, odd; 0: from the sound speeds
 };
 
 }  // namespace wetdeck

@@ -21,26 +21,26 @@ struct WendlandC2 {
     double normalisation() const { return 7 / (64 * std::numbers::pi * smoothing_length * smoothing_length); }
 
     /// W [1/m^2]
-    double value(double distance) const { return normalisation() * bell(distance, 1 / smoothing_length); }
+    double value(double distance) const { return normalisation() * shape(distance, 1 / smoothing_length); }
 
-    /// -(dW/dr)/r [1/m^4] is slope_factor() times cube(2 - q): the pair loop applies the factor once per sum.
+    /// -(dW/dr)/r [1/m^4] is slope_factor() times gradient_shape(): a pass applies the factor once per sum.
     double slope_factor() const { return 10 * normalisation() / (smoothing_length * smoothing_length); }
 
     /// -(dW/dr)/r [1/m^4]
     double slope_over_distance(double distance) const {
-        return slope_factor() * cubed_reach(distance, 1 / smoothing_length);
+        return slope_factor() * gradient_shape(distance, 1 / smoothing_length);
     }
 
-    /// (2 - q)^4 (2 q + 1) inside the support, else 0.
+    /// Shape of the kernel: (2 - q)^4 (2 q + 1) inside the support, else 0.
     template <class Real, class Scale>
-    static Real bell(Real distance, Scale inverse_smoothing_length) {
+    static Real shape(Real distance, Scale inverse_smoothing_length) {
         const Real t = positive_part(2.0 - distance * inverse_smoothing_length);
         return t * t * t * t * (5.0 - 2.0 * t);  // 2 q + 1 = 5 - 2 t
     }
 
-    /// (2 - q)^3 inside the support, else 0.
+    /// Shape of its gradient: (2 - q)^3 inside the support, else 0.
     template <class Real, class Scale>
-    static Real cubed_reach(Real distance, Scale inverse_smoothing_length) {
+    static Real gradient_shape(Real distance, Scale inverse_smoothing_length) {
         const Real t = positive_part(2.0 - distance * inverse_smoothing_length);
         return t * t * t;
     }

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "solver/core/vec2.hpp"
-#include "solver/particles/particles.hpp"
+#include "solver/particles/fluid.hpp"
+#include "solver/particles/walls.hpp"
 
 namespace wetdeck {
 

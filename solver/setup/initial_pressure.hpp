@@ -2,7 +2,7 @@
 // Pressure at the start, from which the initial densities follow.
 #pragma once
 
-#include "solver/particles/particles.hpp"
+#include "solver/particles/fluid.hpp"
 #include "solver/physics/model.hpp"
 
 namespace wetdeck {

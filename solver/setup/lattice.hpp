@@ -3,7 +3,8 @@
 #pragma once
 
 #include "solver/core/vec2.hpp"
-#include "solver/particles/particles.hpp"
+#include "solver/particles/fluid.hpp"
+#include "solver/particles/walls.hpp"
 
 namespace wetdeck {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The stable time step, Yang et al. (2020), Eq. (26), over both phases:
 //     dt = min( C h/(c + v_max), 0.125 rho h^2 / mu, 0.25 sqrt(h/|g|) )
-// The paper has C = 0.25; what the scheme bears is measured (see solver/README.md). Where the air takes m
-// steps in one of the water, the criteria of the air bound a step of the water at m times their size.
+// The paper has C = 0.25. Where the air takes m steps in one of the water, the criteria of the air bound a
+// step of the water at m times their size.
 #pragma once
 
 #include <array>
 
-#include "solver/particles/particles.hpp"
+#include "solver/particles/fluid.hpp"
 #include "solver/physics/model.hpp"
 
 namespace wetdeck {
@@ -25,10 +25,10 @@ struct TimeStep {
 
 /// Steps of the air in one of the water: as the model says or, where it says 0, the odd number up to 15 that
 /// the sound speeds allow with room for fast water. Throws InputError for an even number, and for more than
-/// one where the dissipation switch asks for whole rates at each step.
+/// one with the dissipation switch, which needs the whole rates at each step.
 int air_substeps(const Model& model);
 
-/// Of the water, which is that of the whole model.
+/// The stable step of the water, which is that of the whole model.
 /// @param model             for its fluids and its Courant number
 /// @param smoothing_length  h [m]
 /// @param fastest           largest speed in water and in air [m/s]

@@ -81,11 +81,18 @@ TEST_CASE("the program refuses spacings and times that cannot be run", "[faults]
     expect_refusal({"run", scene, "--dx", "-1", "--out", out}, "--dx is -1, expected a positive spacing [m]");
     expect_refusal({"run", scene, "--dx", "0", "--out", out}, "--dx is 0, expected a positive spacing [m]");
     expect_refusal({"run", scene, "--dx", "nan", "--out", out}, "expected a positive spacing [m]");
+    expect_refusal({"ablate", scene, "--dx", "0", "--out", out},
+                   "--dx is 0, expected a positive spacing [m]");
     expect_refusal({"run", scene, "--dx", "1e-7", "--out", out}, "expected at most 5e+07");
     expect_refusal({"run", "dam_break", "--dx", "0.06", "--out", out},
                    "a pressure gauge of 0.04 m is smaller than the particle spacing");
-    expect_refusal({"run", scene, "--dx", "0.04", "--until", "-1", "--out", out},
-                   "--until is -1, expected a positive time [s]");
+    for (const std::string command : {"run", "ablate"}) {
+        for (const std::string until : {"0", "-1", "nan", "inf"}) {
+            expect_refusal(
+                {command, scene, "--variant", "single-phase", "--dx", "0.04", "--until", until, "--out", out},
+                "--until is " + until + ", expected a positive time [s]");
+        }
+    }
     expect_refusal({"run", scene, "--out", out},
                    "--dx is missing: the scene names no quick spacing for this variant");
     REQUIRE_FALSE(std::filesystem::exists(out));
@@ -107,8 +114,41 @@ TEST_CASE("check refuses a bad reference curve and names its line", "[faults]") 
     expect_refusal({"check", path}, path);
 }
 
+TEST_CASE("check prints doubts on stderr, and with --strict any doubt is exit code 2", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_scene(folder);
+    CHECK(run_program({"check", scene, "--strict"}).code == 0);
+    samples::put_bytes(scene, samples::with("background_pressure = 500.0", "background_pressure = 3000.0"));
+    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--json"}}) {
+        std::vector<std::string> arguments = {"check", scene};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome doubted = run_program(arguments);
+        CHECK(doubted.code == 0);
+        CHECK(doubted.err.rfind("doubt: model.background_pressure is 3000 Pa", 0) == 0);
+        CHECK(std::count(doubted.err.begin(), doubted.err.end(), '\n') == 1);
+        CHECK_THAT(doubted.out, !Contains("doubt: "));
+        arguments.emplace_back("--strict");
+        const Outcome strict = run_program(arguments);
+        CHECK(strict.code == 2);
+        CHECK(strict.out == doubted.out);
+        CHECK(strict.err == doubted.err);
+    }
+}
+
+TEST_CASE("check tells an outline from a reference curve", "[faults]") {
+    const ScratchFolder folder;
+    const std::string file = folder / "hull.csv";
+    samples::put_bytes(file, "# drawing: 12\nx [m], y [m]\n0, 0\n1, 0\n1, 1\n");
+    CHECK(run_program({"check", file}).out == file + ": outline of 3 corners, no error found\n");
+    CHECK(nlohmann::json::parse(run_program({"check", file, "--json"}).out).at("corners") == 3);
+    samples::put_bytes(file, "0, 0\n1, 0\n1, one\n");
+    expect_refusal({"check", file}, file + ":3: expected two numbers, x and y [m] (a reference curve begins");
+    expect_refusal({"check", folder / "none.csv"}, "none.csv: no such file");
+}
+
 TEST_CASE("the program refuses unknown commands, options and values", "[faults]") {
-    expect_refusal({"dance"}, "dance; see wetdeck --help");
+    expect_refusal({"dance"}, "no command 'dance'; see wetdeck --help");
+    expect_refusal({"suit", "--tier", "quick"}, "no command 'suit'; did you mean 'suite'?");
     expect_refusal({"run", "dam_break", "--colour"}, "--colour; see wetdeck --help");
     expect_refusal({"run"}, "scene is required; see wetdeck --help");
     expect_refusal({"run", "dam_break", "--dx", "small"}, "--dx = small");
@@ -162,9 +202,12 @@ TEST_CASE("list, describe, help and version work without a scene being run", "[f
     REQUIRE_THAT(run_program({"describe", "dam_break"}).out,
                  Contains("pressure_gauge") && Contains("buchner2002_front  (curve not available"));
     REQUIRE_THAT(run_program({"--version"}).out, Contains("commit ") && Contains("instruction set "));
+    const std::string help = run_program({"--help"}).out;
+    CHECK_THAT(help, Contains("./wetdeck test") && Contains("./wetdeck docs"));
+    CHECK(run_program({}).out == help);
     for (const char* command : {"suite", "run", "report", "list", "describe", "check"}) {
-        const Outcome help = run_program({command, "--help"});
-        REQUIRE(help.code == 0);
-        REQUIRE_THAT(help.out, Contains("--help"));
+        const Outcome one = run_program({command, "--help"});
+        REQUIRE(one.code == 0);
+        REQUIRE_THAT(one.out, Contains("--help"));
     }
 }

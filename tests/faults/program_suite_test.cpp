@@ -210,7 +210,7 @@ TEST_CASE("a suite stopped by a signal, or killed, goes on with its interrupted 
     const Outcome outcome = run_program(arguments);
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.code == 0);
-    REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("going on from t = "));
+    REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("continuing from t = "));
     REQUIRE(nlohmann::json::parse(samples::bytes_of(folder / "out/summary.json")).at("runs").size() == 1);
 }
 

@@ -34,7 +34,7 @@ std::string put_long_scene_with_body(const ScratchFolder& folder) {
     const std::string scene = samples::bytes_of(put_long_scene(folder));
     samples::put_bytes(folder / "body.toml", samples::replaced(scene, "[model]\n", R"toml([body]
 outline = [[-0.08, -0.06], [0.08, -0.06], [0.08, 0.06], [-0.08, 0.06]]
-place = [0.2, 0.3]
+position = [0.2, 0.3]
 free = ["x", "y", "rotation"]
 velocity_y = -1.0
 mass = 15.0
@@ -125,18 +125,18 @@ TEST_CASE("SIGTERM and SIGINT stop a run with a checkpoint, from which it ends w
         REQUIRE(program->wait() == code);
         const Outcome stopped{code, program->out(), program->err()};
         REQUIRE(stopped.one_line());
-        REQUIRE_THAT(stopped.err, Contains("go on with: wetdeck resume " + parted.string()));
+        REQUIRE_THAT(stopped.err, Contains("continue with: wetdeck resume " + parted.string()));
         REQUIRE_FALSE(std::filesystem::exists(parted / "run.h5"));
         arguments = {"resume", parted, "--threads", "2", "--checkpoint-interval", "0"};
     }
     const Outcome last = run_program({"resume", parted, "--threads", "2"});
     INFO(last.err);
     REQUIRE(last.code == 0);
-    REQUIRE_THAT(last.out, Contains("going on from t = "));
+    REQUIRE_THAT(last.out, Contains("continuing from t = "));
     require_same_run(folder / "whole", parted);
     const Outcome again = run_program({"resume", parted});
     REQUIRE(again.code == 0);
-    REQUIRE_THAT(again.out, Contains("the run had ended before"));
+    REQUIRE_THAT(again.out, Contains("the run has finished already"));
 }
 
 TEST_CASE("runs killed at random moments end with the same bits", "[faults]") {
@@ -168,12 +168,12 @@ TEST_CASE("runs killed at random moments end with the same bits", "[faults]") {
         } else {
             INFO(outcome.err);
             REQUIRE(outcome.code == 0);
-            resumed += outcome.out.find("going on from") != std::string::npos;
+            resumed += outcome.out.find("continuing from") != std::string::npos;
         }
         require_same_run(whole[n], killed);
         std::filesystem::remove_all(killed);
     }
-    WARN(attempts << " kills, " << resumed << " runs gone on with from a checkpoint, " << finished
+    WARN(attempts << " kills, " << resumed << " runs continued from a checkpoint, " << finished
                   << " finished before, the rest begun again");
     REQUIRE(resumed > 0);
 }
@@ -220,7 +220,7 @@ TEST_CASE("what cannot be resumed is refused in one line", "[faults]") {
     };
     expect_refusal(2, "no such directory");
     std::filesystem::create_directory(run);
-    expect_refusal(2, "holds no checkpoint to go on from");
+    expect_refusal(2, "holds no checkpoint to continue from");
     {
         const auto program = started(run_into(scene, run), run, logs);
         program->send(SIGSTOP);
@@ -268,7 +268,7 @@ TEST_CASE("a run whose disk becomes full goes on when there is room again", "[fa
     }
     REQUIRE(program->wait() == 4);
     REQUIRE_THAT(program->err(),
-                 Contains("disk full") && Contains("go on with: wetdeck resume " + run.string()));
+                 Contains("disk full") && Contains("continue with: wetdeck resume " + run.string()));
     REQUIRE_FALSE(std::filesystem::exists(run / "run.h5"));
     disk.grow("size=20m");
     const Outcome outcome = run_program({"resume", run});

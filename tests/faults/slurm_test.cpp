@@ -105,10 +105,10 @@ bool slurm_is_here() {
 }
 
 /// A cluster of this machine alone, and a suite of one scene sent to it.
-class Cluster {
+class SlurmCluster {
   public:
     /// @param scene  name or path
-    explicit Cluster(std::string scene)
+    explicit SlurmCluster(std::string scene)
         : at_(std::filesystem::path(cluster_).string()),
           configured_(configure()),
           munged_("munged -F --force --key-file=" + at_ + "/key --socket=" + at_ +
@@ -233,7 +233,7 @@ TEST_CASE("a suite goes through Slurm to the same results, and again without wha
     const ScratchFolder folder;
     const bool thorough =
         std::getenv("WETDECK_LONG_TESTS") != nullptr;  // a scene that comes with the program
-    const Cluster cluster(thorough ? "wedge_yettou" : put_scene(folder));
+    const SlurmCluster cluster(thorough ? "wedge_yettou" : put_scene(folder));
     std::vector<std::string> plan = cluster.command("slurm");
     plan.insert(plan.end(), {"--plan", "--json"});
     const std::size_t rows = nlohmann::json::parse(run_program(plan).out).at("rows").size();
@@ -242,7 +242,7 @@ TEST_CASE("a suite goes through Slurm to the same results, and again without wha
     const Outcome twice = run_program(cluster.command("slurm"));
     if (!std::filesystem::exists(cluster.file("slurm/summary.json"))) {
         REQUIRE(twice.code == 4);
-        REQUIRE_THAT(twice.err, Contains("jobs of this suite are still at work"));
+        REQUIRE_THAT(twice.err, Contains("jobs of this suite are still queued or running"));
     }
     cluster.wait_for_end(thorough ? 600 : 60);
     REQUIRE(run_program(cluster.command("local")).code <= 1);  // within tolerance or not
@@ -258,7 +258,7 @@ TEST_CASE("a node that dies in the middle and a controller that is restarted los
     if (!slurm_is_here()) return;
     // some seconds of work in one run
     const ScratchFolder folder;
-    Cluster cluster(
+    SlurmCluster cluster(
         put_scene(folder, samples::replaced(samples::with("end_time = 0.2", "end_time = 2.0"),
                                             "single-phase = [0.02, 0.04]", "two-phase = [0.02]")));
     const auto run = cluster.file("slurm/runs/small/two-phase/dx0.02");
@@ -266,7 +266,7 @@ TEST_CASE("a node that dies in the middle and a controller that is restarted los
         return !list_checkpoints(run).empty() && !std::filesystem::exists(run / "run.h5");
     };
     const std::string said = cluster.submit();
-    REQUIRE(Cluster::within(60, at_work));
+    REQUIRE(SlurmCluster::within(60, at_work));
     SECTION("the daemons alone: the job goes on without them") {
         cluster.node.end(SIGKILL);
         // as for an update: what a controller was told in the last seconds before a crash it forgets
@@ -284,9 +284,9 @@ TEST_CASE("a node that dies in the middle and a controller that is restarted los
         // Slurm would wait for two minutes
         const std::string job = said.substr(said.find("of job ") + 7);
         const std::string now = "scontrol update JobId=" + job.substr(0, job.find(',')) + "_0 StartTime=now";
-        REQUIRE(Cluster::within(20, [&] { return shell(now) == 0; }));
+        REQUIRE(SlurmCluster::within(20, [&] { return shell(now) == 0; }));
         cluster.wait_for_end(150);
-        REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("going on from t = "));
+        REQUIRE_THAT(samples::bytes_of(run / "run.log"), Contains("continuing from t = "));
     }
     cluster.wait_for_end(150);
     REQUIRE(run_program(cluster.command("local")).code == 0);

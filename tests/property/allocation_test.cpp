@@ -49,8 +49,9 @@ TEST_CASE("A step without a list build takes no memory from the heap", "[allocat
     Model model = samples::two_phase_model();
     model.dissipation_switch = GENERATE(false, true);
     model.air_substeps = model.dissipation_switch ? 1 : 3;
-    model.threads = GENERATE(1, 2);
-    Simulation simulation = samples::shaken_tank(model, 31).simulate();
+    samples::Setup setup = samples::shaken_tank(model, 31);
+    setup.execution.threads = GENERATE(1, 2);
+    Simulation simulation = setup.simulate();
     const std::size_t at_start = allocations;
     CHECK(at_start > 10);  // the counter counts
     const std::uint64_t builds = simulation.list_builds();

@@ -12,7 +12,7 @@ namespace {
 /// A two-phase dam break with walls after 300 steps, by order in memory.
 std::vector<FluidState> dam_break_states(const Model& model, int threads) {
     samples::Setup setup = samples::dam_break(model, {0.3, 0.45}, {0.9, 0.6}, 0.03);
-    setup.model.threads = threads;
+    setup.execution.threads = threads;
     Simulation simulation = setup.simulate();
     REQUIRE(simulation.threads() == threads);
     for (int n = 0; n < 300; ++n) REQUIRE_FALSE(simulation.step(1));

@@ -42,7 +42,7 @@ TEST_CASE("A simulation restored between two builds of its list goes on with the
     step(whole, 3);  // the particles are no longer where they were listed
 
     samples::Setup other = setup(model);
-    other.model.threads = 3;
+    other.execution.threads = 3;
     Simulation parted = other.simulate();
     parted.restore(whole.state());
     CHECK(parted.time() == whole.time());
@@ -73,9 +73,10 @@ TEST_CASE("A simulation with a falling, turning body goes on with the same bits"
     body.inertia = 0.9;
     body.position = c;
     body.angular_velocity = 3;
+    made.bodies = {body};
     const auto simulate = [&](int threads) {
-        made.model.threads = threads;
-        return Simulation(made.model, made.fluid, made.walls, made.particle_spacing, made.domain, {body});
+        made.execution.threads = threads;
+        return made.simulate();
     };
     Simulation whole = simulate(1), parted = simulate(2);
     step(whole, 150);

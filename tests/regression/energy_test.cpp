@@ -22,7 +22,7 @@ EnergyHistory collapse(Model model, bool with_air) {
     constexpr double height = 0.3, length = 0.3, tank = 0.9;
     if (!with_air) {
         model.water.eos.background_pressure = 0;
-        model.tension = false;
+        model.negative_pressure = false;
     }
     Simulation simulation =
         samples::dam_break(model, {length, height}, {tank, 0.45}, 0.03, with_air).simulate();

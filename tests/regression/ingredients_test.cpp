@@ -52,7 +52,7 @@ TEST_CASE("Each ingredient that is switched has a momentum loop of its own", "[i
     const auto momentum_loop = [&](auto change) {
         Model model = two_phase_model();
         change(model);
-        return pair_loops(model, name.c_str()).accelerations;
+        return pair_passes(model, name).accelerations;
     };
     const Pass plain = momentum_loop([](Model&) {});
     CHECK(momentum_loop([](Model& m) { m.pressure_mean = Mean::arithmetic; }) ==
@@ -75,7 +75,7 @@ TEST_CASE("The density loop knows the velocity mean, the hydrostatic correction 
     const auto density_loop = [](auto change) {
         Model model = two_phase_model();
         change(model);
-        return pair_loops(model, "sse2").density_rates;
+        return pair_passes(model, "sse2").density_rates;
     };
     const Pass plain = density_loop([](Model&) {});
     const Pass harmonic = density_loop([](Model& m) { m.velocity_mean = Mean::harmonic; });

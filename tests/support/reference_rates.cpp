@@ -48,23 +48,37 @@ struct Pair {
                 0.5 * (left_material.eos.reference_density + right_material.eos.reference_density);
             jump -= density * model.gravity.dot(offset());
         }
-        jump *= left_material.eos.reference_density / left.density;  // impedances are those at rest
-        if (model.velocity_mean == Mean::harmonic) {
-            const double guard = 1e-12 * model.water.eos.sound_speed;
-            return guarded_harmonic_mean(u_left(), u_right(), guard) +
-                   model.pressure_diffusion * jump / (2 * mean_impedance());
-        }
+        return mean_velocity().dot(e()) + model.pressure_diffusion * jump / (2 * star_impedance());
+    }
+
+    /// The mean of rho c in u*.
+    double star_impedance() const {
+        const double density_ratio = left.density / left_material.eos.reference_density;
+        if (model.impedance_mean == ImpedanceMean::arithmetic)
+            return density_ratio * 0.5 * (left_impedance() + right_impedance());
+        return 2 / (1 / (left.density * left_material.eos.sound_speed) +
+                    1 / (right.density * right_material.eos.sound_speed));
+    }
+
+    /// 2ab/(a+b), and what the guard puts in its place.
+    double harmonic(double a, double b, bool meaningful) const {
+        if (model.mean_guard == MeanGuard::division || meaningful)
+            return a + b == 0 ? 0 : 2 * a * b / (a + b);
+        return model.mean_guard == MeanGuard::same_sign_zero ? 0 : 0.5 * (a + b);
+    }
+
+    Vec2 mean_velocity() const {
+        const Vec2 l = left.velocity(), r = right.velocity();
+        if (model.velocity_mean == Mean::harmonic)
+            return {harmonic(l.x(), r.x(), l.x() * r.x() > 0), harmonic(l.y(), r.y(), l.y() * r.y() > 0)};
         const double a = weight(model.velocity_mean, left_material);
         const double b = weight(model.velocity_mean, right_material);
-        return (a * u_left() + b * u_right()) / (a + b) +
-               model.pressure_diffusion * jump / (left_impedance() + right_impedance());
+        return (a * l + b * r) / (a + b);
     }
 
     double mean_pressure() const {
-        if (model.pressure_mean == Mean::harmonic) {
-            return guarded_harmonic_mean(left.pressure, right.pressure,
-                                         1e-12 * model.water.eos.coefficient());
-        }
+        if (model.pressure_mean == Mean::harmonic)
+            return harmonic(left.pressure, right.pressure, left.pressure > 0 && right.pressure > 0);
         const double a = weight(model.pressure_mean, left_material);
         const double b = weight(model.pressure_mean, right_material);
         return (b * left.pressure + a * right.pressure) / (a + b);
@@ -229,8 +243,8 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
             cover += p.volume * kernel.value((here - p.position()).norm());
         for (const WallState& w : walls.state)
             cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
-        if (sums.distance < touching_distance) cover = touching_cover + std::max(0.0, -sums.distance);
-        rates.cover.push_back(cover);
+        if (sums.distance < touching_distance) cover = touching_kernel_sum + std::max(0.0, -sums.distance);
+        rates.kernel_sum.push_back(cover);
         const double density = fluid.state[i].density;
         rates.density.push_back(2 * density * sums.compression);
         rates.acceleration_x.push_back(2 / density * sums.push.x() + model.gravity.x());

@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "solver/particles/particles.hpp"
+#include "solver/particles/fluid.hpp"
+#include "solver/particles/walls.hpp"
 #include "solver/physics/model.hpp"
 
 namespace wetdeck::samples {
@@ -13,7 +14,7 @@ namespace wetdeck::samples {
 struct Rates {
     std::vector<double> density;                         ///< [kg/(m^3 s)]
     std::vector<double> acceleration_x, acceleration_y;  ///< [m/s^2], gravity included
-    std::vector<double> cover;                           ///< SUM_j V_j W_ij
+    std::vector<double> kernel_sum;                      ///< SUM_j V_j W_ij
     std::vector<WallMean> wall;                          ///< Eq. (19)
 };
 

@@ -13,17 +13,7 @@
 namespace wetdeck::samples {
 namespace {
 
-/// Uniform numbers that are the same with every standard library, which std::uniform_real_distribution does
-/// not promise.
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
-    /// In [-size, size).
-    double symmetric(double size) { return size * (2 * static_cast<double>(engine_() >> 11) * 0x1p-53 - 1); }
-
-  private:
-    std::mt19937_64 engine_;
-};
+using verification::Dice;
 
 void shake(Setup& setup, Dice& dice) {
     for (std::size_t i = 0; i < setup.fluid.size(); ++i) {
@@ -66,12 +56,10 @@ Model two_phase_model() {
     model.wall_velocity = WallVelocity::mirrored;
     model.wall_dissipation = 3;
     model.sponge_thickness = 0;
-    model.tension = true;
+    model.negative_pressure = true;
     model.smoothing_ratio = 1.25;
     model.air_substeps = 1;
     model.courant_number = 0.5;
-    model.skin = 0.2;
-    model.threads = 1;
     return model;
 }
 
@@ -79,6 +67,7 @@ Model paper_model() {
     Model model = two_phase_model();
     model.velocity_mean = Mean::harmonic;
     model.pressure_mean = Mean::harmonic;
+    model.impedance_mean = ImpedanceMean::harmonic;
     model.hydrostatic_correction = false;
     model.dissipation = Dissipation::none;
     model.viscosity = Viscosity::approaching;
@@ -89,26 +78,22 @@ Model paper_model() {
     model.wall_velocity = WallVelocity::normal;
     model.wall_dissipation = 0;
     model.courant_number = 0.25;
-    model.full_cover = 0;
+    model.full_kernel_sum = 0;
     return model;
 }
 
 Setup shaken_tank(const Model& model, std::uint64_t seed, double particle_spacing) {
-    Setup setup{model, {}, {}, particle_spacing, Box{{0, 0}, {1.0, 0.8}}};
-    fill_box(setup.fluid, Phase::water, {{0, 0}, {0.5, 0.5}}, particle_spacing,
-             model.water.eos.reference_density);
-    fill_box(setup.fluid, Phase::air, {{0.5, 0}, {1.0, 0.5}}, particle_spacing,
-             model.air.eos.reference_density);
-    fill_box(setup.fluid, Phase::air, {{0, 0.5}, {1.0, 0.8}}, particle_spacing,
-             model.air.eos.reference_density);
-    setup.walls = tank_walls(setup.domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing);
+    Setup setup(model, {{0, 0}, {1.0, 0.8}}, particle_spacing, true);
+    setup.fill(Phase::water, {{0, 0}, {0.5, 0.5}});
+    setup.fill(Phase::air, {{0.5, 0}, {1.0, 0.5}});
+    setup.fill(Phase::air, {{0, 0.5}, {1.0, 0.8}});
     Dice dice(seed);
     shake(setup, dice);
     return setup;
 }
 
 Setup shaken_blob(const Model& model, std::uint64_t seed, double particle_spacing) {
-    Setup setup{model, {}, {}, particle_spacing, Box{{-2, -2}, {2, 2}}};
+    Setup setup(model, {{-2, -2}, {2, 2}}, particle_spacing);
     const double dx = particle_spacing;
     for (const Phase phase : {Phase::water, Phase::air}) {
         const double density = (phase == Phase::water ? model.water : model.air).eos.reference_density;
@@ -126,18 +111,15 @@ Setup shaken_blob(const Model& model, std::uint64_t seed, double particle_spacin
 }
 
 Setup dam_break(const Model& model, Vec2 column, Vec2 tank, double particle_spacing, bool with_air) {
-    Setup setup{model, {}, {}, particle_spacing, Box{{0, 0}, tank}};
+    Setup setup(model, {{0, 0}, tank}, particle_spacing, true);
     const auto fill = [&](Phase phase, Box box) {
-        if (((box.high - box.low).array() < 0.5 * particle_spacing).any()) return;
-        const Material& material = phase == Phase::water ? model.water : model.air;
-        fill_box(setup.fluid, phase, box, particle_spacing, material.eos.reference_density);
+        if (((box.high - box.low).array() >= 0.5 * particle_spacing).all()) setup.fill(phase, box);
     };
     fill(Phase::water, {{0, 0}, column});
     if (with_air) {
         fill(Phase::air, {{column.x(), 0}, {tank.x(), column.y()}});
         fill(Phase::air, {{0, column.y()}, tank});
     }
-    setup.walls = tank_walls(setup.domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing);
     set_initial_pressure(setup.fluid, model, [&](Phase phase, Vec2 position) {
         const double density = (phase == Phase::water ? model.water : model.air).eos.reference_density;
         return density * model.gravity.norm() * (column.y() - position.y());
@@ -191,7 +173,7 @@ std::vector<std::string> instruction_sets() {
     std::vector<std::string> supported;
     for (const char* name : {"sse2", "avx2", "avx512"}) {
         try {
-            pair_loops(two_phase_model(), name);
+            pair_passes(two_phase_model(), name);
             supported.emplace_back(name);
         } catch (const InputError&) {
             // not on this processor

@@ -7,20 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "solver/simulation.hpp"
+#include "validation/verification/setups.hpp"
 
 namespace wetdeck::samples {
 
-/// Everything a simulation is made of.
-struct Setup {
-    Model model;
-    FluidParticles fluid;
-    WallParticles walls;
-    double particle_spacing = 0;
-    Box domain;
-
-    Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain); }
-};
+using verification::Setup;
 
 /// Water (c = 30 m/s) and air (c = 90 m/s), 1000 Pa of background pressure, impedance-weighted means, low
 /// dissipation, no viscosity, free slip, Shepard pressure for water, one thread. No field is left to a

@@ -12,6 +12,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/store/environment.hpp"
 
 namespace wetdeck {
 namespace {
@@ -60,15 +61,14 @@ double mean_neighbours(const Simulation& simulation) {
     const WallParticles& walls = simulation.walls();
     double found = 0;
     for (const Cluster& cluster : simulation.neighbours().clusters()) {
-        const std::uint32_t in_fluid = cluster.fluid_neighbours[0] + cluster.fluid_neighbours[1];
+        const NeighbourBlocks& blocks = simulation.neighbours().blocks();
         for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
             const Vec2 here = fluid.state[cluster.first + lane].position();
-            for (std::uint32_t n = 0; n < in_fluid + cluster.wall_neighbours; ++n) {
-                const std::uint32_t j = cluster.neighbours[n];
-                const Vec2 there =
-                    n < in_fluid ? fluid.state[j].position() : Vec2(walls.state[j].x, walls.state[j].y);
-                found += (here - there).norm() < reach ? 1 : 0;
-            }
+            for (std::size_t phase = 0; phase < phase_count; ++phase)
+                for (const std::uint32_t j : fluid_neighbours(blocks, cluster, phase))
+                    found += (here - fluid.state[j].position()).norm() < reach ? 1 : 0;
+            for (const std::uint32_t j : wall_neighbours(blocks, cluster))
+                found += (here - Vec2(walls.state[j].x, walls.state[j].y)).norm() < reach ? 1 : 0;
         }
     }
     return found / static_cast<double>(fluid.size()) - 1;
@@ -165,7 +165,8 @@ Benchmark run_benchmark(const BenchmarkOptions& options) {
     for (const char* variant : {"single-phase", "two-phase"}) {
         Scene scene = read_scene(find_scene("dam_break"), variant);
         scene.model.air_substeps = 1;  // every particle in every step: what the loops reach
-        benchmark.instruction_set = pair_loops(scene.model).instruction_set;
+        benchmark.instruction_set =
+            pair_passes(scene.model, instruction_set_from_environment()).instruction_set;
         const Simulation::State start = state_in_mid_run(scene, options, largest);
         for (const int threads : thread_counts(largest))
             benchmark.cases.push_back(measure(scene, start, options, threads));

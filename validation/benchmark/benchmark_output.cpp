@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A quiet machine lets a process have more of its processors.
+/// On a quiet machine the process gets a larger share of its processors.
 constexpr double quiet_share = 0.95;
 
 json measured_json(const Measured& m) {
@@ -110,19 +110,20 @@ std::string benchmark_table(const Benchmark& benchmark) {
     out += line("  whole step", benchmark,
                 [](const BenchmarkCase& c) { return fmt::format("{:.2f}", c.step_share); });
     out +=
-        "Shares: the larger of (arithmetic, traffic). Arithmetic: time of the same pass with all neighbours "
-        "in the\n"
-        "first-level cache over the time taken; its limit is given for density, momentum. Traffic: time to "
-        "move states,\n"
-        "list and results once at the triad's bandwidth over the time taken. Whole step: both passes at "
-        "their limits\n"
-        "over the whole step.\n";
+        "Share of the limit: the larger of (arithmetic, memory). Arithmetic: time of the same pass with all "
+        "neighbours in\n"
+        "the first-level cache, over the time taken; its limit is given for density, momentum. Memory: time "
+        "to "
+        "read and write\n"
+        "states, list and results once at the bandwidth of the triad, over the time taken. Whole step: both "
+        "passes at their\n"
+        "limits, over the whole step.\n";
     const bool busy = std::any_of(benchmark.cases.begin(), benchmark.cases.end(),
                                   [](const BenchmarkCase& c) { return c.processor_share < quiet_share; });
     if (busy)
         out +=
-            "Other work kept processors from this one: rates of stages and shares of limits are too low, "
-            "the rate per processor second holds.\n";
+            "Other processes used the processors: rates of stages and shares of limits are too low; the "
+            "rate per processor second is valid.\n";
     return out;
 }
 

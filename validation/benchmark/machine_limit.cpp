@@ -50,11 +50,11 @@ ArithmeticLimit arithmetic_limit(const Simulation& simulation, int threads) {
     in.clusters = &sample;
     in.shares = &shares;
     in.density_rate = density_rate.data();
-    if (simulation.model().full_cover > 0) in.cover = cover.data();
+    if (simulation.model().full_kernel_sum > 0) in.kernel_sum = cover.data();
     in.acceleration_x = acceleration_x.data();
     in.acceleration_y = acceleration_y.data();
     in.threads = threads;
-    const PairLoops loops = pair_loops(simulation.model());
+    const PairPasses loops = pair_passes(simulation.model(), simulation.instruction_set());
     const double work = neighbours_of(sample);
     return {work / fastest(bursts, [&] { loops.density_rates(in); }),
             work / fastest(bursts, [&] { loops.accelerations(in); })};

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -10,8 +11,11 @@
 #include <set>
 
 #include "solver/core/errors.hpp"
-#include "validation/commands/report_command.hpp"
+#include "validation/commands/commands.hpp"
+#include "validation/commands/options.hpp"
+#include "validation/commands/stored_report.hpp"
 #include "validation/metrics/resample.hpp"
+#include "validation/run/exit_code.hpp"
 #include "validation/store/atomic_write.hpp"
 
 namespace wetdeck {
@@ -21,8 +25,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Written into a new baseline, to be narrowed or widened there with a reason. The same program on the same
-/// instruction set gives the same bits; on another, rounding differs and grows where water splashes, so a
-/// regression is told from that by its size.
+/// instruction set gives the same bits; on another, rounding differs and the difference grows where water
+/// splashes, so only a larger deviation is a regression.
 constexpr double default_tolerance = 0.05;  // of the value; of the range of a curve
 constexpr int instants = 101;
 
@@ -96,7 +100,7 @@ void compare_quantities(const RunSummary& run, const json& wanted, std::vector<s
         const double before = entry.at("value"), tolerance = entry.at("tolerance");
         if (found == run.quantities.end() || !found->value) {
             out.push_back(
-                fmt::format("{}: {} was {:.6g}, is not computed", run_name(run.record), name, before));
+                fmt::format("{}: {} was {:.6g}, is no longer computed", run_name(run.record), name, before));
         } else if (!(std::abs(*found->value - before) <= tolerance)) {
             out.push_back(fmt::format("{}: {} was {:.6g} ± {:.2g}, is {:.6g}", run_name(run.record), name,
                                       before, tolerance, *found->value));
@@ -132,7 +136,8 @@ void compare_curves(const RunSummary& run, const json& wanted, std::vector<std::
 
 void write_baseline(const fs::path& directory, const fs::path& file, bool replace) {
     if (fs::exists(file) && !replace)
-        throw InputError(fmt::format("{}: exists already; --replace replaces it", file.string()));
+        throw InputError(
+            fmt::format("{}: exists already, expected --replace or another file", file.string()));
     const Summary summary = analyse_directory(directory);
     json runs = json::array();
     std::set<std::string> revisions;
@@ -146,7 +151,7 @@ void write_baseline(const fs::path& directory, const fs::path& file, bool replac
                         {"quantities", quantities_json(run)},
                         {"curves", curves_json(run)}});
     }
-    if (runs.empty()) throw InputError(fmt::format("{}: no run ended well", directory.string()));
+    if (runs.empty()) throw InputError(fmt::format("{}: no run finished", directory.string()));
     const json baseline{
         {"schema", 1}, {"tier", summary.tier}, {"revisions", revisions}, {"runs", std::move(runs)}};
     if (file.has_parent_path()) make_directories(file.parent_path());
@@ -174,6 +179,49 @@ std::vector<std::string> compare_with_baseline(const fs::path& directory, const 
         throw DataError(fmt::format("{}: {}", file.string(), error.what()));
     }
     return deviations;
+}
+
+namespace {
+
+struct BaselineOptions {
+    std::string action, directory, file;
+    bool replace = false, json = false;
+};
+
+int compare(const BaselineOptions& options) {
+    const std::vector<std::string> deviations = compare_with_baseline(options.directory, options.file);
+    if (options.json) {
+        const json all = {{"baseline", options.file}, {"deviations", deviations}};
+        fmt::print("{}\n", all.dump(1));
+    } else {
+        for (const std::string& line : deviations) fmt::print("{}\n", line);
+        fmt::print("{} deviations from {}\n", deviations.size(), options.file);
+    }
+    return deviations.empty() ? exit_done : exit_outside;
+}
+
+int baseline(const BaselineOptions& options) {
+    if (options.action == "compare") return compare(options);
+    write_baseline(options.directory, options.file, options.replace);
+    fmt::print("baseline: {}\n", options.file);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_baseline(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<BaselineOptions>();
+    CLI::App& command = *app.add_subcommand(
+        "baseline", "store the results of a directory as a baseline, or compare them with one");
+    command.add_option("action", options->action, "write or compare")
+        ->required()
+        ->check(CLI::IsMember({"write", "compare"}))
+        ->type_name("");
+    add_directory(command, options->directory, "directory of a suite or a run");
+    command.add_option("--file", options->file, "the baseline, a JSON file")->required()->type_name("FILE");
+    command.add_flag("--replace", options->replace, "with write: replace an existing baseline");
+    add_json(command, options->json, "with compare: print JSON, for scripts");
+    command.callback([options, &exit_code] { exit_code = baseline(*options); });
 }
 
 }  // namespace wetdeck

@@ -1,61 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "validation/commands/describe.hpp"
-
+// `wetdeck describe`: the set-up, references and cost of one scene.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "solver/time/time_step.hpp"
 #include "validation/analytic/curves.hpp"
+#include "validation/commands/commands.hpp"
+#include "validation/commands/options.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/run/exit_code.hpp"
 #include "validation/run/progress.hpp"
 #include "validation/scene/scene.hpp"
-#include "validation/stress/cases.hpp"
-#include "validation/verification/problems.hpp"
 
 namespace wetdeck {
-
-void print_list(bool as_json) {
-    nlohmann::json scenes = nlohmann::json::array();
-    for (const std::string& name : scene_names()) {
-        const Scene scene = read_scene(find_scene(name));
-        nlohmann::json variants = nlohmann::json::array();
-        for (const VariantInfo& v : scene.variants)
-            variants.push_back({{"name", v.name}, {"description", v.description}});
-        scenes.push_back({{"name", name},
-                          {"title", scene.analysis.title},
-                          {"default_variant", scene.variant},
-                          {"variants", variants}});
-    }
-    nlohmann::json problems = nlohmann::json::array();
-    for (const verification::Problem& problem : verification::all_problems())
-        problems.push_back({{"name", problem.name}, {"title", problem.title}, {"quick", problem.quick}});
-    nlohmann::json hard = nlohmann::json::array();
-    for (const stress::Case& member : stress::all_cases()) {
-        nlohmann::json settings = nlohmann::json::array();
-        for (const stress::Setting& setting : member.settings) settings.push_back(setting.name);
-        hard.push_back({{"name", member.name}, {"title", member.title}, {"settings", settings}});
-    }
-    if (as_json) {
-        const nlohmann::json all = {{"scenes", scenes}, {"problems", problems}, {"stress", hard}};
-        fmt::print("{}\n", all.dump(1));
-        return;
-    }
-    fmt::print("Scenes\n");
-    for (const auto& scene : scenes) {
-        fmt::print("  {}  {}\n", scene["name"].get<std::string>(), scene["title"].get<std::string>());
-        for (const auto& v : scene["variants"]) {
-            fmt::print("      {:20} {}\n", v["name"].get<std::string>(), v["description"].get<std::string>());
-        }
-    }
-    fmt::print("Problems with exact solutions (wetdeck verify)\n");
-    for (const auto& problem : problems)
-        fmt::print("  {:20} {}\n", problem["name"].get<std::string>(), problem["title"].get<std::string>());
-    fmt::print("Hard cases (wetdeck stress)\n");
-    for (const auto& member : hard)
-        fmt::print("  {:20} {}\n", member["name"].get<std::string>(), member["title"].get<std::string>());
-}
-
 namespace {
 
 using nlohmann::json;
@@ -83,9 +43,10 @@ json references_of(const Scene& scene) {
 /// What every run of the scene records beside its probes.
 json series_of(const Scene& scene) {
     json all = json::array();
-    const auto add = [&all](const std::vector<SeriesInfo>& list) {
-        for (const SeriesInfo& s : list)
-            all.push_back({{"name", s.name}, {"unit", s.unit}, {"description", s.description}});
+    const auto add = [&all](const auto& table) {
+        for (const auto& row : table)
+            all.push_back(
+                {{"name", row.info.name}, {"unit", row.info.unit}, {"description", row.info.description}});
     };
     add(every_run_series());
     if (!scene.bodies.empty()) {
@@ -143,23 +104,23 @@ json description(const std::string& name) {
                                  {"mass", body.body.mass},
                                  {"inertia", body.body.inertia},
                                  {"corners", body.outline.size()}});
-    for (const ProbeSpec& probe : scene.probes)
-        all["probes"].push_back({{"name", probe.name}, {"note", probe.note}});
+    for (const Probe& probe : scene.probes)
+        all["probes"].push_back({{"name", probe.series.name}, {"note", probe.note}});
     for (const Deviation& d : scene.analysis.deviations)
         all["deviations"].push_back(
             {{"item", d.item}, {"source", d.source}, {"used", d.used}, {"reason", d.reason}});
     return all;
 }
 
-}  // namespace
+std::string text(const json& value) {
+    return value.get<std::string>();
+}
 
-void print_description(const std::string& name, bool as_json) {
-    const json all = description(name);
-    if (as_json) return fmt::print("{}\n", all.dump(1));
-    const auto text = [](const json& value) { return value.get<std::string>(); };
-    const auto number = [](const json& value) { return value.get<double>(); };
-    fmt::print("{} ({})\n{}\nsource: {}\nfile: {}\n\n", text(all["title"]), text(all["name"]),
-               text(all["purpose"]), text(all["source"]), text(all["file"]));
+double number(const json& value) {
+    return value.get<double>();
+}
+
+void print_set_up(const json& all) {
     fmt::print("Set-up\n  tank {:.4g} x {:.4g} m, g = ({:.4g}, {:.4g}) m/s2, end at {:.4g} s\n",
                number(all["tank"][0]), number(all["tank"][1]), number(all["gravity"][0]),
                number(all["gravity"][1]), number(all["end_time"]));
@@ -167,19 +128,25 @@ void print_description(const std::string& name, bool as_json) {
                number(all["water"]["density"]), number(all["water"]["sound_speed"]),
                number(all["background_pressure"]));
     if (all.contains("air")) {
-        fmt::print("  air {:.4g} kg/m3, sound speed {:.4g} m/s; its steps in one of the water: {}\n",
+        fmt::print("  air {:.4g} kg/m3, sound speed {:.4g} m/s; steps of the air per step of the water: {}\n",
                    number(all["air"]["density"]), number(all["air"]["sound_speed"]),
                    all["air"]["substeps"].get<int>());
     }
     for (const json& body : all["bodies"])
         fmt::print("  {} of {} corners, {:.4g} kg/m, {:.4g} kg m about its mass centre\n", text(body["name"]),
                    body["corners"].get<int>(), number(body["mass"]), number(body["inertia"]));
+}
+
+void print_series(const json& all) {
     fmt::print("\nProbes\n");
     for (const json& probe : all["probes"])
         fmt::print("  {:16} {}\n", text(probe["name"]), text(probe["note"]));
-    fmt::print("\nRecorded in every run (of a second body with _2 behind the name)\n");
+    fmt::print("\nRecorded in every run (series of a second body end in _2)\n");
     for (const json& s : all["series"])
         fmt::print("  {:34} {:7} {}\n", text(s["name"]), text(s["unit"]), text(s["description"]));
+}
+
+void print_references(const json& all) {
     fmt::print("\nReferences\n");
     for (const json& c : all["references"]) {
         fmt::print("  {:16} against {}{}\n", text(c["series"]), text(c["reference"]),
@@ -191,12 +158,45 @@ void print_description(const std::string& name, bool as_json) {
     for (const json& d : all["deviations"])
         fmt::print("  {}: {} -> {} ({})\n", text(d["item"]), text(d["source"]), text(d["used"]),
                    text(d["reason"]));
+}
+
+void print_costs(const json& all) {
     fmt::print("\nCost, estimated for one core with AVX-512\n  {:10} {:14} {:>8} {:>12} {:>10} {:>16}\n",
                "tier", "variant", "dx [m]", "particles", "steps", "time");
     for (const json& cost : all["cost"])
         fmt::print("  {:10} {:14} {:>8.4g} {:>12.0f} {:>10.0f} {:>16}\n", text(cost["tier"]),
                    text(cost["variant"]), number(cost["dx"]), number(cost["particles"]),
                    number(cost["steps"]), duration_text(number(cost["core_s"])));
+}
+
+struct DescribeOptions {
+    std::string scene;
+    bool json = false;
+};
+
+int describe(const DescribeOptions& options) {
+    const json all = description(options.scene);
+    if (options.json) {
+        fmt::print("{}\n", all.dump(1));
+        return exit_done;
+    }
+    fmt::print("{} ({})\n{}\nsource: {}\nfile: {}\n\n", text(all["title"]), text(all["name"]),
+               text(all["purpose"]), text(all["source"]), text(all["file"]));
+    print_set_up(all);
+    print_series(all);
+    print_references(all);
+    print_costs(all);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_describe(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<DescribeOptions>();
+    CLI::App& command = *app.add_subcommand("describe", "set-up, references and estimated cost of one scene");
+    add_scene(command, options->scene);
+    add_json(command, options->json);
+    command.callback([options, &exit_code] { exit_code = describe(*options); });
 }
 
 }  // namespace wetdeck

@@ -24,7 +24,7 @@ std::vector<std::string> colours(Rgb (*map)(double)) {
     return result;
 }
 
-/// Seconds per unit of T if all comparisons agree on one.
+/// Seconds per unit of T if it is the same for all comparisons.
 std::optional<double> time_scale(const AnalysisSpec& analysis) {
     if (analysis.comparisons.empty()) return std::nullopt;
     const double scale = analysis.comparisons.front().x_scale;
@@ -35,7 +35,7 @@ std::optional<double> time_scale(const AnalysisSpec& analysis) {
 }
 
 /// Frames nearest to the scene's picture times (those further away than 2 % of the run are left out); of the
-/// default variant further ones, evenly spread, up to a dozen: enough to step through.
+/// default variant also frames at equal intervals, up to a dozen in all.
 std::vector<const FrameEntry*> shown_frames(const Scene& scene, const RunRecord& record,
                                             const std::vector<FrameEntry>& frames) {
     constexpr std::size_t enough = 12;
@@ -58,13 +58,17 @@ std::vector<const FrameEntry*> shown_frames(const Scene& scene, const RunRecord&
     return in_order;
 }
 
-}  // namespace
+bool with_air(const RunRecord& record) {
+    const auto air = record.choices.find("air");
+    return air != record.choices.end() && air->second == "yes";
+}
 
-std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
-                                            const std::filesystem::path& run_directory) {
-    std::vector<report::Picture> pictures;
-    const std::vector<FrameEntry> frames = list_frames(run_directory);
+/// The whole tank. The colours reach the pressure of the impact of a body, else the slam would have one
+/// colour.
+RasterOptions raster_of(const Scene& scene, const RunRecord& record) {
     const double head = std::abs(scene.model.gravity.y()) * scene.initial.surface;  // [m^2/s^2]
+    double fastest = 0;
+    for (const BodySpec& spec : scene.bodies) fastest = std::max(fastest, spec.body.velocity.norm());
     RasterOptions options;
     options.width = 600;
     options.x_min = scene.tank.low.x();
@@ -72,25 +76,35 @@ std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord&
     options.y_min = scene.tank.low.y();
     options.y_max = scene.tank.high.y();
     options.particle_radius = 0.75 * record.particle_spacing;
-    // of a body that hits the water the colours must reach its impact, else the slam is one colour
-    double fastest = 0;
-    for (const BodySpec& spec : scene.bodies) fastest = std::max(fastest, spec.body.velocity.norm());
     options.water_max = scene.model.water.eos.reference_density * (head + fastest * fastest);
-    const bool air = record.choices.count("air") && record.choices.at("air") == "yes";
-    if (air) options.air_speed_max = 4 * std::sqrt(head);
+    if (with_air(record)) options.air_speed_max = 4 * std::sqrt(head);
+    return options;
+}
+
+std::vector<report::ColourBar> colour_bars(const RasterOptions& options) {
+    std::vector<report::ColourBar> bars{
+        {"gauge pressure in the water", "Pa", 0, options.water_max, colours(water_colour)}};
+    if (options.air_speed_max)
+        bars.push_back({"speed of the air", "m/s", 0, *options.air_speed_max, colours(air_colour)});
+    return bars;
+}
+
+}  // namespace
+
+std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
+                                            const std::filesystem::path& run_directory) {
+    const std::vector<FrameEntry> frames = list_frames(run_directory);
+    const RasterOptions options = raster_of(scene, record);
     const std::optional<double> scale = time_scale(scene.analysis);
-    for (const FrameEntry* nearest : shown_frames(scene, record, frames)) {
+    std::vector<report::Picture> pictures;
+    for (const FrameEntry* frame : shown_frames(scene, record, frames)) {
         report::Picture picture;
         picture.title =
             fmt::format("{}, {}, dx {:.4g} m", scene.analysis.title, record.variant, record.particle_spacing);
-        picture.time = nearest->time;
-        if (scale) picture.scaled_time = nearest->time / *scale;
-        picture.png = render_png(read_frame(nearest->path), options);
-        picture.colour_bars.push_back(
-            {"gauge pressure in the water", "Pa", 0, options.water_max, colours(water_colour)});
-        if (air)
-            picture.colour_bars.push_back(
-                {"speed of the air", "m/s", 0, *options.air_speed_max, colours(air_colour)});
+        picture.time = frame->time;
+        if (scale) picture.scaled_time = frame->time / *scale;
+        picture.png = render_png(read_frame(frame->path), options);
+        picture.colour_bars = colour_bars(options);
         pictures.push_back(std::move(picture));
     }
     return pictures;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the report shows of the fields of a run.
+// Pictures of the fields of a run, for the report.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,8 @@
 namespace wetdeck {
 
 /// The frames nearest to the scene's picture times (frames further away than 2 % of the run are left out),
-/// and of the default variant more of them, evenly spread: water by pressure, air by speed.
+/// and of the default variant also frames at equal intervals. Colours: pressure of the water, speed of the
+/// air.
 std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
                                             const std::filesystem::path& run_directory);
 

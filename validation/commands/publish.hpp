@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The small tables and figures of a report that are kept in the repository.
+// Publishes the small tables and figures of a report in the repository.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,7 @@ namespace wetdeck {
 
 /// Writes TARGET/TIER/: README.md (where the numbers come from, statistics, errors and costs), runs.csv,
 /// values.csv, statistics.csv, scatter.csv, and of the figures of DIR those over all scenes and of speed
-/// against error. The folder of the tier belongs to the publication: figures of an earlier one go. Needs the
-/// report in DIR.
+/// against error. Figures of an earlier publication in that folder are removed. DIR must hold the report.
 void publish(const Summary& summary, const std::filesystem::path& directory,
              const std::filesystem::path& target);
 

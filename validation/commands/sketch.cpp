@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "reports/html.hpp"
+#include "reports/page/html.hpp"
 
 namespace wetdeck {
 namespace {
@@ -77,33 +77,6 @@ class Drawing {
 constexpr const char* probe_line = "stroke=\"#c0392b\" stroke-width=\"3\"";
 constexpr const char* probe_column = "stroke=\"#c0392b\" stroke-width=\"1\" stroke-dasharray=\"3 4\"";
 
-/// Draws the probe and returns where its number belongs [m]; nothing where it has no place.
-std::optional<Vec2> draw_probe(Drawing& drawing, const Scene& scene, const ProbeSpec& probe) {
-    const auto on_body = [&](Vec2 point) {
-        const BodySpec& body = scene.bodies.at(probe.body);
-        return body.body.placed(body.in_body_frame(point));
-    };
-    const Vec2 half(0, 0.5 * probe.diameter);
-    switch (probe.type) {
-        case ProbeSpec::Type::wall_pressure:
-            drawing.line(probe.centre - half, probe.centre + half, probe_line);
-            return probe.centre;
-        case ProbeSpec::Type::water_depth:
-            drawing.line({probe.x, scene.tank.low.y()}, {probe.x, scene.tank.high.y()}, probe_column);
-            return Vec2(probe.x, scene.tank.high.y());
-        case ProbeSpec::Type::body_pressure:
-            return on_body(probe.centre);
-        case ProbeSpec::Type::face_pressure:
-        case ProbeSpec::Type::air_film:
-            drawing.line(on_body(probe.from), on_body(probe.to), probe_line);
-            return Vec2(0.5 * (on_body(probe.from) + on_body(probe.to)));
-        case ProbeSpec::Type::front:
-        case ProbeSpec::Type::free_surface:
-            return std::nullopt;
-    }
-    return std::nullopt;
-}
-
 void draw_fluids(Drawing& drawing, const Scene& scene) {
     if (scene.air) {
         for (const Box& box : scene.air_boxes) drawing.rectangle(box, "fill=\"#eef3f8\"");
@@ -117,8 +90,8 @@ void draw_fluids(Drawing& drawing, const Scene& scene) {
     }
 }
 
-/// Words of the key: what a body weighs and how fast it starts.
-std::string describe(const BodySpec& body) {
+/// Entry of the key: mass, inertia and initial velocity of a body.
+std::string description_of(const BodySpec& body) {
     const RigidBody& b = body.body;
     return fmt::format("{}: mass {:.4g} kg/m, inertia {:.4g} kg m, starts at ({:.4g}, {:.4g}) m/s", body.name,
                        b.mass, b.inertia, b.velocity.x(), b.velocity.y());
@@ -135,52 +108,69 @@ void draw_bodies(Drawing& drawing, const Scene& scene) {
     }
 }
 
-}  // namespace
+using Key = std::vector<std::string>;
 
-std::string sketch_svg(const Scene& scene) {
-    Drawing drawing(scene.tank);
-    draw_fluids(drawing, scene);
-    draw_bodies(drawing, scene);
-    std::vector<std::string> key;
-    for (const BodySpec& body : scene.bodies) key.push_back("⊕ " + describe(body));
-    const double width = drawing.width(), height = drawing.height();
-    drawing.rectangle(scene.tank, "fill=\"none\" stroke=\"#333\" stroke-width=\"2\"");
-    double last_y = -100, last_x = -100;  // numbers that would cover each other step aside
+/// Draws the probes with their numbers and adds their names to the key.
+void draw_probes(Drawing& drawing, const Scene& scene, Key& key) {
+    double last_y = -100, last_x = -100;  // a number that would cover the last one moves aside
     std::size_t number = 0;
-    for (const ProbeSpec& probe : scene.probes) {
+    for (const Probe& probe : scene.probes) {
         ++number;
         key.push_back(
-            fmt::format("{} {}{}", number, probe.name, probe.note.empty() ? "" : ": " + probe.note));
-        const std::optional<Vec2> place = draw_probe(drawing, scene, probe);
-        if (!place) continue;
-        const bool on_top = probe.type == ProbeSpec::Type::water_depth;
-        double px = drawing.x(place->x()) + (on_top ? 0 : 14);
-        const double py = drawing.y(place->y()) - (on_top ? 12 : 0);
+            fmt::format("{} {}{}", number, probe.series.name, probe.note.empty() ? "" : ": " + probe.note));
+        if (!probe.place) continue;
+        const auto& [begin, end, through_fluid] = *probe.place;
+        if (begin != end) drawing.line(begin, end, through_fluid ? probe_column : probe_line);
+        const Vec2 label = through_fluid ? end : Vec2(0.5 * (begin + end));
+        double px = drawing.x(label.x()) + (through_fluid ? 0 : 14);
+        const double py = drawing.y(label.y()) - (through_fluid ? 12 : 0);
         if (std::abs(py - last_y) < 17 && std::abs(px - last_x) < 17) px = last_x + 18;
         drawing.mark(px, py, number);
         last_x = px;
         last_y = py;
     }
+}
+
+void draw_tank(Drawing& drawing, const Scene& scene) {
+    drawing.rectangle(scene.tank, "fill=\"none\" stroke=\"#333\" stroke-width=\"2\"");
     const Vec2 size = scene.tank.high - scene.tank.low;
-    drawing.label(0.5 * width, height + 20, fmt::format("{:.4g} m", size.x()), "text-anchor=\"middle\"");
-    drawing.label(-8, 0.5 * height, fmt::format("{:.4g} m", size.y()), "text-anchor=\"end\"");
-    if (scene.model.gravity.norm() > 0) {
-        const Vec2 corner = scene.tank.high - 0.06 * Vec2(size.x(), size.x());
-        drawing.arrow(corner, scene.model.gravity.normalized(), 30, "#333333");
-        drawing.label(drawing.x(corner.x()) - 8, drawing.y(corner.y()) + 18, "g", "text-anchor=\"end\"");
-    }
-    double row = height + 44;
-    for (const std::string& words : key) {
-        const std::string shown = words.size() > 100 ? words.substr(0, 97) + "..." : words;
+    drawing.label(0.5 * drawing.width(), drawing.height() + 20, fmt::format("{:.4g} m", size.x()),
+                  "text-anchor=\"middle\"");
+    drawing.label(-8, 0.5 * drawing.height(), fmt::format("{:.4g} m", size.y()), "text-anchor=\"end\"");
+    if (scene.model.gravity.norm() == 0) return;
+    const Vec2 corner = scene.tank.high - 0.06 * Vec2(size.x(), size.x());
+    drawing.arrow(corner, scene.model.gravity.normalized(), 30, "#333333");
+    drawing.label(drawing.x(corner.x()) - 8, drawing.y(corner.y()) + 18, "g", "text-anchor=\"end\"");
+}
+
+/// Writes the key below the drawing and returns where it ends [px].
+double draw_key(Drawing& drawing, const Key& key) {
+    double row = drawing.height() + 44;
+    for (const std::string& entry : key) {
+        const std::string shown = entry.size() > 100 ? entry.substr(0, 97) + "..." : entry;
         drawing.label(0, row, shown, "font-size=\"11\" fill=\"#444\"");
         row += line_height;
     }
+    return row;
+}
+
+}  // namespace
+
+std::string sketch_svg(const Scene& scene) {
+    Drawing drawing(scene.tank);
+    Key key;
+    for (const BodySpec& body : scene.bodies) key.push_back("⊕ " + description_of(body));
+    draw_fluids(drawing, scene);
+    draw_bodies(drawing, scene);
+    draw_tank(drawing, scene);
+    draw_probes(drawing, scene, key);
+    const double end = draw_key(drawing, key);
     constexpr double left = 62, right = 80, top = 26;
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.1f} {:.1f} {:.1f} {:.1f}\" "
         "font-family=\"sans-serif\" font-size=\"13\" role=\"img\" aria-label=\"set-up of the "
         "scene\">{}</svg>",
-        -left, -top, std::max(width, 520.0) + left + right, row + top, drawing.body());
+        -left, -top, std::max(drawing.width(), 520.0) + left + right, end + top, drawing.body());
 }
 
 }  // namespace wetdeck

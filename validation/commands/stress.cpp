@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "validation/commands/stress.hpp"
-
+// `wetdeck stress`: hard cases, which of them survive and where the limits of stability lie.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <cctype>
@@ -13,7 +13,12 @@
 #include <thread>
 
 #include "solver/core/errors.hpp"
+#include "validation/commands/commands.hpp"
+#include "validation/commands/options.hpp"
+#include "validation/commands/stored_report.hpp"
 #include "validation/metrics/stored_tables.hpp"
+#include "validation/run/exit_code.hpp"
+#include "validation/scene/schemes.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/stress/bisect.hpp"
 #include "validation/stress/cases.hpp"
@@ -24,10 +29,17 @@ namespace {
 using namespace stress;
 namespace fs = std::filesystem;
 
-/// One row of the table, and how to find it.
+struct StressOptions {
+    std::vector<std::string> cases;  ///< all if empty
+    std::string directory;
+    bool fast = false;  ///< the quick settings with the default scheme, no limits
+    int jobs = 0;       ///< runs at a time; 0: one per core
+};
+
+/// One row of the table, and the function that fills it.
 struct Task {
     StressRow row;
-    bool judged = false;  ///< the default scheme on a sensible setting
+    bool required = false;  ///< to survive: the default scheme on a sensible setting
     std::function<void(StressRow&)> run;
     bool done = false;
 };
@@ -39,17 +51,17 @@ std::string file_name(const StressRow& row) {
     return name + ".png";
 }
 
-void run_setting(StressRow& row, const Setting& setting, Scheme scheme, const fs::path& directory) {
+void run_setting(StressRow& row, const Setting& setting, const Scheme& scheme, const fs::path& directory) {
     std::optional<Outcome> outcome;
     try {
         outcome = run_trial(setting.build(scheme));
-    } catch (const InputError& refusal) {  // by the scheme: it has no answer for this setting
+    } catch (const InputError& refusal) {  // the scheme cannot run this setting
         row.note = std::string("refused: ") + refusal.what();
         return;
     }
     row.survived = outcome->survived();
     row.note = outcome->note();
-    if (!setting.beyond.empty()) row.note += " [not asked for: " + setting.beyond + "]";
+    if (!setting.beyond.empty()) row.note += " [not required: " + setting.beyond + "]";
     if (!outcome->death) return;
     const std::vector<unsigned char> picture = picture_of(*outcome->death);
     row.picture = (fs::path("stress") / file_name(row)).string();
@@ -57,42 +69,44 @@ void run_setting(StressRow& row, const Setting& setting, Scheme scheme, const fs
 }
 
 void run_search(StressRow& row, const Search& search) {
-    std::string death;
+    std::string instability;
     const Limit limit = find_limit(search.from, search.to, search.ratio, [&](double value) {
         const Outcome outcome = run_trial(search.build(value));
-        if (outcome.death) death = outcome.note();
+        if (outcome.death) instability = outcome.note();
         return outcome.survived();
     });
     const auto margin = [&](double value) { return std::max(value / search.from, search.from / value); };
     row.survived = limit.alive.has_value();
     if (!limit.alive) {
-        row.note = fmt::format("dies at {:g}, where it is used: {}", search.from, death);
+        row.note = fmt::format("unstable at {:g}, the value in use: {}", search.from, instability);
     } else if (!limit.dead) {
         row.note =
-            fmt::format("in use {:g}, survives to the end of the search at {:.3g}: margin above {:.3g}",
+            fmt::format("in use {:g}, stable up to the end of the search at {:.3g}: margin above {:.3g}",
                         search.from, *limit.alive, margin(*limit.alive));
     } else {
-        row.note = fmt::format("in use {:g}, survives {:.3g}, not {:.3g}: margin {:.3g}; {}", search.from,
-                               *limit.alive, *limit.dead, margin(*limit.alive), death);
+        row.note = fmt::format("in use {:g}, stable at {:.3g}, not at {:.3g}: margin {:.3g}; {}", search.from,
+                               *limit.alive, *limit.dead, margin(*limit.alive), instability);
     }
 }
 
-std::vector<Task> tasks_of(const std::vector<Case>& cases, const StressOptions& options) {
+std::vector<Task> tasks_of(const std::vector<Case>& cases, bool fast, const fs::path& directory) {
     std::vector<Task> tasks;
+    std::vector<Scheme> schemes = scheme_names();
+    schemes.insert(schemes.begin(), default_scheme);
     for (const Case& member : cases) {
         for (const Setting& setting : member.settings) {
-            for (const Scheme scheme : schemes) {
-                if (options.fast && (!setting.quick || scheme != Scheme::standard)) continue;
-                const bool standard = scheme == Scheme::standard;
+            for (const Scheme& scheme : schemes) {
+                if (fast && (!setting.quick || !scheme.empty())) continue;
+                const bool standard = scheme.empty();
                 tasks.push_back(
-                    {{member.name, setting.name + (standard ? "" : ", " + name_of(scheme)), false, "", ""},
+                    {{member.name, setting.name + (standard ? "" : ", " + scheme), false, "", ""},
                      standard && setting.beyond.empty(),
-                     [&setting, scheme, &options](StressRow& row) {
-                         run_setting(row, setting, scheme, options.directory);
+                     [&setting, scheme, &directory](StressRow& row) {
+                         run_setting(row, setting, scheme, directory);
                      }});
             }
         }
-        if (options.fast) continue;
+        if (fast) continue;
         for (const Search& search : member.searches)
             tasks.push_back(
                 {{member.name, fmt::format("limit of {}: {}", search.name, search.quantity), false, "", ""},
@@ -102,7 +116,7 @@ std::vector<Task> tasks_of(const std::vector<Case>& cases, const StressOptions& 
     return tasks;
 }
 
-/// Rows of cases that were not run as the file holds them, then those that are done.
+/// Rows of other cases stay as the file holds them, followed by the rows that are done.
 void store(const fs::path& directory, const std::vector<Task>& tasks) {
     std::vector<StressRow> rows = read_stress(directory);
     std::erase_if(rows, [&](const StressRow& row) {
@@ -114,12 +128,18 @@ void store(const fs::path& directory, const std::vector<Task>& tasks) {
     write_stress(directory, rows);
 }
 
-/// Each on one thread, several at a time, those that decide first. What is done is kept if the rest is
-/// stopped.
-void run_all(std::vector<Task>& tasks, const StressOptions& options, int jobs) {
+void print_row(const StressRow& row, double seconds) {
+    fmt::print("{} {:20} {:44} {:6.1f} s  {}\n", row.survived ? "  " : "X ", row.stress_case, row.setting,
+               seconds, row.note);
+    std::fflush(stdout);
+}
+
+/// Runs each task on one thread and `jobs` at a time, the required ones first. Results are stored as they
+/// come, so that they are kept if the rest is stopped.
+void run_all(std::vector<Task>& tasks, const fs::path& directory, int jobs) {
     std::vector<Task*> order;
     for (Task& task : tasks) order.push_back(&task);
-    std::stable_partition(order.begin(), order.end(), [](const Task* task) { return task->judged; });
+    std::stable_partition(order.begin(), order.end(), [](const Task* task) { return task->required; });
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::exception_ptr failure;
@@ -129,14 +149,11 @@ void run_all(std::vector<Task>& tasks, const StressOptions& options, int jobs) {
             try {
                 const auto start = std::chrono::steady_clock::now();
                 task.run(task.row);
-                const double seconds =
-                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
                 const std::scoped_lock lock(mutex);
                 task.done = true;
-                store(options.directory, tasks);
-                fmt::print("{} {:20} {:44} {:6.1f} s  {}\n", task.row.survived ? "  " : "X ",
-                           task.row.stress_case, task.row.setting, seconds, task.row.note);
-                std::fflush(stdout);
+                store(directory, tasks);
+                print_row(task.row, time.count());
             } catch (...) {
                 const std::scoped_lock lock(mutex);
                 if (!failure) failure = std::current_exception();
@@ -151,23 +168,47 @@ void run_all(std::vector<Task>& tasks, const StressOptions& options, int jobs) {
     if (failure) std::rethrow_exception(failure);
 }
 
+/// Prints a table, writes DIR/stress.json and a picture of each instability to DIR/stress/. Returns whether
+/// the default scheme survived every sensible setting.
+bool run_cases(const StressOptions& options, const fs::path& directory) {
+    const std::vector<Case> cases = cases_named(options.cases);
+    std::vector<Task> tasks = tasks_of(cases, options.fast, directory);
+    if (tasks.empty()) throw InputError("--fast leaves none of these cases: they have no quick setting");
+    read_stress(directory);  // a damaged file is refused now rather than after all runs
+    make_directories(directory / "stress");
+    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    run_all(tasks, directory, options.jobs > 0 ? options.jobs : cores);
+    const auto required =
+        std::count_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.required; });
+    const auto survived = std::count_if(tasks.begin(), tasks.end(),
+                                        [](const Task& task) { return task.required && task.row.survived; });
+    fmt::print("the default scheme survived {} of {} sensible settings\n", survived, required);
+    return survived == required;
+}
+
+int stress_command(const StressOptions& options) {
+    const fs::path directory =
+        options.directory.empty() ? fs::path("results") / "stress" : fs::path(options.directory);
+    const bool survived = run_cases(options, directory);
+    make_report(directory);
+    fmt::print("report: {}\n", (directory / "index.html").string());
+    return survived ? exit_done : exit_outside;
+}
+
 }  // namespace
 
-bool run_stress(const StressOptions& options) {
-    const std::vector<Case> cases = cases_named(options.cases);
-    std::vector<Task> tasks = tasks_of(cases, options);
-    if (tasks.empty()) throw InputError("--fast leaves none of these cases: they have no quick setting");
-    read_stress(options.directory);  // rather now than when all has run
-    make_directories(options.directory / "stress");
-    run_all(
-        tasks, options,
-        options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
-    const auto judged =
-        std::count_if(tasks.begin(), tasks.end(), [](const Task& task) { return task.judged; });
-    const auto alive = std::count_if(tasks.begin(), tasks.end(),
-                                     [](const Task& task) { return task.judged && task.row.survived; });
-    fmt::print("the default scheme survived {} of {} sensible settings\n", alive, judged);
-    return alive == judged;
+void add_stress(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<StressOptions>();
+    CLI::App& command = *app.add_subcommand(
+        "stress",
+        "hard cases with the default scheme, the paper's scheme and a scheme without dissipation: which "
+        "settings survive, and where the limits of stability lie");
+    add_only(command, options->cases, "cases", "CASE");
+    add_out(command, options->directory, "results/stress");
+    add_jobs(command, options->jobs);
+    command.add_flag("--fast", options->fast,
+                     "only the quick settings with the default scheme, without a search for limits");
+    command.callback([options, &exit_code] { exit_code = stress_command(*options); });
 }
 
 }  // namespace wetdeck

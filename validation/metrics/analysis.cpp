@@ -22,6 +22,7 @@ namespace wetdeck {
 namespace {
 
 void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& references) {
+    run.expected_unstable = spec.expected_unstable;
     for (const QuantitySpec& quantity : spec.quantities) {
         run.quantities.push_back(evaluate_quantity(quantity, run.record, references));
     }
@@ -32,12 +33,39 @@ void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& ref
     }
 }
 
+/// Identity of the set-up by scene and variant: that of the run that was started last.
+std::map<std::pair<std::string, std::string>, std::string> current_setups(const std::vector<RunSummary>& runs) {
+    std::map<std::pair<std::string, std::string>, const RunRecord*> latest;
+    for (const RunSummary& run : runs) {
+        const RunRecord*& found = latest[{run.record.scene, run.record.variant}];
+        if (!found || provenance_of(run.record, "start_time") > provenance_of(*found, "start_time"))
+            found = &run.record;
+    }
+    std::map<std::pair<std::string, std::string>, std::string> setups;
+    for (const auto& [key, record] : latest) setups[key] = provenance_of(*record, "setup_identity");
+    return setups;
+}
+
+/// Marks the runs, and drops the runs of the sensitivity study, whose set-up is another one than that of the latest
+/// run of their variant: nothing is computed from both.
+void keep_setups_apart(std::vector<RunSummary>& runs, std::vector<SensitivityRun>& varied) {
+    const auto setups = current_setups(runs);
+    for (RunSummary& run : runs)
+        run.other_setup = provenance_of(run.record, "setup_identity") !=
+                          setups.at({run.record.scene, run.record.variant});
+    std::erase_if(varied, [&](const SensitivityRun& one) {
+        const RunRecord& record = one.run.record;
+        const auto found = setups.find({record.scene, record.variant});
+        return found != setups.end() && provenance_of(record, "base_setup_identity") != found->second;
+    });
+}
+
 /// One row per variant and quantity that at least one sound run has a value for.
 void add_convergence(const AnalysisSpec& spec, Summary& summary) {
     using Values = std::map<double, double>;  // by spacing, so that a spacing counts once
     std::map<std::string, std::map<std::string, Values>> variants;
     for (const RunSummary& run : summary.runs) {
-        if (!applies(spec, run.record) || run.record.status != RunStatus::ok) continue;
+        if (!applies(spec, run.record) || !counts(run)) continue;
         for (const QuantityResult& quantity : run.quantities) {
             if (!quantity.value) continue;
             variants[run.record.variant][quantity.name][run.record.particle_spacing] = *quantity.value;
@@ -61,7 +89,7 @@ void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
         if (!seen.insert(comparison.quantity).second) continue;
         std::map<std::string, std::map<double, Curve>> variants;
         for (const RunSummary& run : summary.runs) {
-            if (!applies(spec, run.record) || run.record.status != RunStatus::ok) continue;
+            if (!applies(spec, run.record) || !counts(run)) continue;
             SeriesCurve series = series_curve(run.record, comparison.quantity, comparison);
             if (series.problem.empty())
                 variants[run.record.variant][run.record.particle_spacing] = std::move(series.curve);
@@ -121,6 +149,7 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
     Summary summary;
     summary.scenes = merged(scenes);
     summary.runs = std::move(runs);
+    keep_setups_apart(summary.runs, sensitivity_runs);
     for (RunSummary& run : summary.runs) {
         run.energy_error = energy_error(run.record);
         run.momentum_error = momentum_error(run.record);

@@ -65,4 +65,16 @@ CurveConvergenceRow curve_convergence(std::vector<std::pair<double, Curve>> curv
     return row;
 }
 
+std::vector<double> relative_differences(const CurveConvergenceRow& row) {
+    std::vector<double> relative;
+    if (row.range <= 0) return relative;
+    for (const double difference : row.difference) relative.push_back(difference / row.range);
+    return relative;
+}
+
+std::optional<double> relative_gci(const CurveConvergenceRow& row) {
+    if (!row.gci_fine || row.range <= 0) return std::nullopt;
+    return *row.gci_fine / row.range;
+}
+
 }  // namespace wetdeck

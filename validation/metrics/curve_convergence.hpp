@@ -2,6 +2,7 @@
 // Solution verification of whole curves.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,5 +25,9 @@ namespace wetdeck {
 /// are left to the caller.
 CurveConvergenceRow curve_convergence(std::vector<std::pair<double, Curve>> spacing_and_curve,
                                       const Window& window, double formal_order = 2);
+
+/// `difference` and `gci_fine` over the range of the finest curve; empty where that curve is constant.
+std::vector<double> relative_differences(const CurveConvergenceRow& row);
+std::optional<double> relative_gci(const CurveConvergenceRow& row);
 
 }  // namespace wetdeck

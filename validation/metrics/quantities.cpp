@@ -3,11 +3,8 @@
 #include "validation/metrics/quantities.hpp"
 
 #include <fmt/core.h>
-#include <gsl/gsl_fit.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
 #include "solver/core/errors.hpp"
@@ -17,145 +14,26 @@
 namespace wetdeck {
 namespace {
 
-/// A number, or why there is none.
-struct Outcome {
-    std::optional<double> value;
-    std::string note;
-};
-
-double mean_of(const Curve& curve, const std::function<double(double)>& f) {
-    double integral = 0;
-    for (std::size_t i = 1; i < curve.x.size(); ++i) {
-        integral += 0.5 * (f(curve.y[i - 1]) + f(curve.y[i])) * (curve.x[i] - curve.x[i - 1]);
-    }
-    return integral / (curve.x.back() - curve.x.front());
-}
-
-double integral(const Curve& curve) {
-    return mean_of(curve, [](double y) { return y; }) * (curve.x.back() - curve.x.front());
-}
-
-double mean(const Curve& curve) {
-    return mean_of(curve, [](double y) { return y; });
-}
-
-double standard_deviation(const Curve& curve) {
-    const double centre = mean(curve);
-    return std::sqrt(mean_of(curve, [centre](double y) { return (y - centre) * (y - centre); }));
-}
-
-double slope(const Curve& curve) {
-    double intercept = 0, gradient = 0, cov00 = 0, cov01 = 0, cov11 = 0, residual = 0;
-    gsl_fit_linear(curve.x.data(), 1, curve.y.data(), 1, curve.x.size(), &intercept, &gradient, &cov00,
-                   &cov01, &cov11, &residual);
-    return gradient;
-}
-
-double proportion(const Curve& curve) {
-    double factor = 0, variance = 0, residual = 0;
-    gsl_fit_mul(curve.x.data(), 1, curve.y.data(), 1, curve.x.size(), &factor, &variance, &residual);
-    return factor;
-}
-
-Outcome first_crossing(const Curve& curve, const Window& window, double threshold) {
-    const Curve part = clip(curve, window);
-    for (std::size_t i = 1; i < part.x.size(); ++i) {
-        const double below = part.y[i - 1];
-        const double above = part.y[i];
-        if (below >= threshold || above < threshold) continue;
-        return {std::lerp(part.x[i - 1], part.x[i], (threshold - below) / (above - below)), {}};
-    }
-    return {{}, fmt::format("does not rise through {:.6g}", threshold)};
-}
-
-/// Integral up to where the curve has fallen from its maximum to `share` of it.
-Outcome first_peak_integral(const Curve& curve, double share) {
-    const std::size_t top = index_of_maximum(curve);
-    const double low = share * curve.y[top];
-    for (std::size_t i = top + 1; i < curve.x.size(); ++i) {
-        if (curve.y[i] > low) continue;
-        const double end =
-            std::lerp(curve.x[i - 1], curve.x[i], (curve.y[i - 1] - low) / (curve.y[i - 1] - curve.y[i]));
-        return {integral(clip(curve, {curve.x.front(), end})), {}};
-    }
-    return {{}, fmt::format("does not fall to {:.6g} of its peak within the window", share)};
-}
-
-Outcome value_at(const Curve& curve, double x) {
-    if (x < curve.x.front() || x > curve.x.back()) {
-        return {
-            {},
-            fmt::format("the series spans {:.6g} to {:.6g}, not {:.6g}", curve.x.front(), curve.x.back(), x)};
-    }
-    return {interpolate(curve, x), {}};
-}
-
-Outcome difference_to_reference(const QuantitySpec& spec, const Curve& curve, const Window& window,
-                                ReferenceShelf& references) {
-    const Reference* reference = references.find(spec.reference);
-    if (reference == nullptr) return {{}, curve_not_available(spec.reference)};
-    const std::string& x_column = reference->columns.front().name;
-    const Curve measured = scaled_reference(*reference, x_column, spec.y_column, spec.x_scale, spec.y_scale);
-    if (!covers(measured, window))
-        return {{}, fmt::format("reference '{}' does not cover the window", spec.reference)};
-    return {rms_difference(curve, measured, *overlap(curve, *overlap(measured, window))), {}};
-}
-
-void require(bool given, const QuantitySpec& spec, const char* key) {
-    if (given) return;
-    throw InputError(fmt::format("quantity '{}': metric {} needs '{}'", spec.name, spec.metric, key));
-}
-
-/// The metrics that map the part of the curve inside the window to a number.
-const std::map<std::string, double (*)(const Curve&)>& window_metrics() {
-    static const std::map<std::string, double (*)(const Curve&)> metrics{
-        {"mean", mean},
-        {"standard_deviation", standard_deviation},
-        {"maximum", [](const Curve& c) { return c.y[index_of_maximum(c)]; }},
-        {"time_of_maximum", [](const Curve& c) { return c.x[index_of_maximum(c)]; }},
-        {"minimum", [](const Curve& c) { return *std::min_element(c.y.begin(), c.y.end()); }},
-        {"slope", slope},
-        {"proportion", proportion},
-        {"integral", integral},
-        {"change", [](const Curve& c) { return c.y.back() - c.y.front(); }}};
-    return metrics;
-}
-
-void check(const QuantitySpec& spec) {
-    const bool windowed = window_metrics().contains(spec.metric);
-    const bool thresholded =
-        spec.metric == "first_crossing" || spec.metric == "value_at" || spec.metric == "first_peak_integral";
-    if (!windowed && !thresholded && spec.metric != "rms_difference") {
-        throw InputError(
-            fmt::format("quantity '{}': unknown metric '{}', expected mean, standard_deviation, maximum, "
-                        "time_of_maximum, minimum, "
-                        "slope, proportion, integral, change, first_crossing, value_at, first_peak_integral "
-                        "or rms_difference",
-                        spec.name, spec.metric));
-    }
-    if (thresholded) require(spec.threshold.has_value(), spec, "threshold");
-    if (spec.metric == "rms_difference") {
-        require(!spec.reference.empty(), spec, "reference");
-        require(!spec.y_column.empty(), spec, "y_column");
-    }
-}
-
-Outcome evaluate(const QuantitySpec& spec, const RunRecord& record, ReferenceShelf& references) {
+MetricResult evaluate(const QuantitySpec& spec, const RunRecord& record, ReferenceShelf& references) {
     const SeriesCurve series = series_curve(record, spec.series, spec);
     if (!series.problem.empty()) return {{}, series.problem};
     const Curve& curve = series.curve;
     const Window window = spec.window.value_or(extent(curve));
-    if (spec.metric == "first_crossing") return first_crossing(curve, window, *spec.threshold);
-    if (spec.metric == "value_at") return value_at(curve, *spec.threshold);
-    if (!covers(curve, window)) {
+    const MetricNeeds& needs = spec.metric->needs;
+    if (needs.whole_window && !covers(curve, window))
         return {{},
                 fmt::format("the series spans {:.6g} to {:.6g}, the window {:.6g} to {:.6g}", curve.x.front(),
                             curve.x.back(), window.begin, window.end)};
+    Curve measured;
+    if (needs.reference) {
+        const Reference* reference = references.find(spec.reference);
+        if (reference == nullptr) return {{}, curve_not_available(spec.reference)};
+        measured = scaled_reference(*reference, reference->columns.front().name, spec.y_column, spec.x_scale,
+                                    spec.y_scale);
+        if (!covers(measured, window))
+            return {{}, fmt::format("reference '{}' does not cover the window", spec.reference)};
     }
-    if (spec.metric == "rms_difference") return difference_to_reference(spec, curve, window, references);
-    if (spec.metric == "first_peak_integral")
-        return first_peak_integral(clip(curve, window), *spec.threshold);
-    return {window_metrics().at(spec.metric)(clip(curve, window)), {}};
+    return spec.metric->evaluate({curve, clip(curve, window), window, spec.threshold.value_or(0), measured});
 }
 
 }  // namespace
@@ -208,10 +86,22 @@ Curve scaled_reference(const Reference& reference, const std::string& x_column, 
     return curve;
 }
 
+const char* missing_key(const QuantitySpec& spec) {
+    const MetricNeeds& needs = spec.metric->needs;
+    if (needs.threshold && !spec.threshold) return "threshold";
+    if (needs.reference && spec.reference.empty()) return "reference";
+    if (needs.reference && spec.y_column.empty()) return "y_column";
+    if (needs.reference && !spec.window) return "window";
+    return nullptr;
+}
+
 QuantityResult evaluate_quantity(const QuantitySpec& spec, const RunRecord& record,
                                  ReferenceShelf& references) {
-    check(spec);
-    Outcome outcome = evaluate(spec, record, references);
+    if (spec.metric == nullptr) throw InputError(fmt::format("quantity '{}' has no metric", spec.name));
+    if (const char* key = missing_key(spec); key != nullptr)
+        throw InputError(
+            fmt::format("quantity '{}': metric {} needs '{}'", spec.name, spec.metric->name, key));
+    MetricResult outcome = evaluate(spec, record, references);
     QuantityResult result;
     result.name = spec.name;
     result.unit = spec.unit;

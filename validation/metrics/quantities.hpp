@@ -47,16 +47,15 @@ std::string curve_not_available(const std::string& stem);
 Curve scaled_reference(const Reference& reference, const std::string& x_column, const std::string& y_column,
                        double x_scale, double y_scale);
 
-/// Takes the quantity from the run. Metrics over the scaled series y(x), in its window (the whole series if
-/// there is none):
-///   mean, standard_deviation   averages over x by the trapezoidal rule (so that uneven sampling does not
-///   weigh) maximum, time_of_maximum, minimum slope                      least squares over the samples,
-///   dy/dx first_crossing             first x in the window where y rises from below `threshold` to it or
-///   above, interpolated value_at                   y at x = `threshold` rms_difference             see
-///   resample.hpp, against the first and the `y_column` column of `reference`
-/// The value is empty, with a note, where the series is missing or not sound, the reference is missing, the
-/// threshold is not reached, or the series covers less than `required_coverage` of the window. Throws
-/// InputError for an unknown metric or a key that the metric needs and the specification lacks.
+/// The first key that the metric of the specification needs and the specification lacks; null if there is
+/// none.
+const char* missing_key(const QuantitySpec& spec);
+
+/// Takes the quantity from the run: its metric over the scaled series y(x), in its window (the whole series
+/// if there is none). The value is empty, with a note, where the series is missing or not sound, the
+/// reference is missing, the threshold is not reached, or the series covers less than `required_coverage` of
+/// a window that the metric needs whole. Throws InputError for a key that the metric needs and the
+/// specification lacks.
 QuantityResult evaluate_quantity(const QuantitySpec& spec, const RunRecord& record,
                                  ReferenceShelf& references);
 

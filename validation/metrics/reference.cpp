@@ -9,19 +9,18 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "solver/core/errors.hpp"
+#include "validation/store/hash.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
 namespace {
 
 constexpr std::uintmax_t largest_file = 20'000'000;
-constexpr std::array kinds{"experiment", "peer-simulation", "analytic", "stated"};
 constexpr std::array origins{"tabulated", "digitised", "computed", "stated"};
 constexpr std::array units{"-",   "m",     "s",   "Pa",    "N",  "N/m",  "N s/m", "J/m",
                            "m/s", "m/s^2", "rad", "rad/s", "Hz", "kg/m", "kg/m^3"};
@@ -65,9 +64,7 @@ bool is_date(std::string_view text) {
 }
 
 std::string hash_of(std::string_view bytes) {
-    std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, 64 bits
-    for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-    return fmt::format("fnv1a64:{:016x}", hash);
+    return fmt::format("fnv1a64:{:016x}", fnv1a(bytes));
 }
 
 std::string file_text(const std::filesystem::path& path) {
@@ -82,12 +79,7 @@ std::string file_text(const std::filesystem::path& path) {
         throw DataError(
             fmt::format("{}: {} bytes, a reference file may have {}", path.string(), size, largest_file));
     }
-    std::ifstream stream(path, std::ios::binary);
-    std::string text(error ? 0 : size, '\0');
-    if (error || !stream.read(text.data(), static_cast<std::streamsize>(text.size()))) {
-        throw DataError(fmt::format("{}: cannot be read", path.string()));
-    }
-    return text;
+    return read_whole_file(path);
 }
 
 /// Goes through the lines of one file; every complaint carries the file and the line.
@@ -139,7 +131,7 @@ class Reader {
         if (!is_utf8(line_)) fail("not UTF-8 text");
         if (value.empty()) fail(fmt::format("key '{}' has no value", key));
         if (!reference_.keys.emplace(key, value).second) fail(fmt::format("key '{}' is given twice", key));
-        if (key == "kind") check_word(key, value, kinds);
+        if (key == "kind") check_word(key, value, reference_kind_names());
         if (key == "obtained") check_word(key, value, origins);
         if (key == "date" && !is_date(value)) fail(fmt::format("date is '{}', expected YYYY-MM-DD", value));
         if (key == "u_data" && value != "unknown") {
@@ -163,7 +155,7 @@ class Reader {
         if (!missing.empty())
             fail(fmt::format("missing key{} '{}', expected '# {}: ...'", missing.size() > 1 ? "s" : "",
                              fmt::join(missing, "', '"), missing.front()));
-        reference_.kind = reference_.keys.at("kind");
+        reference_.kind = *reference_kind_named(reference_.keys.at("kind"));
         reference_.citation = reference_.keys.at("citation");
     }
 

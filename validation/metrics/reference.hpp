@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solver/core/curve.hpp"
+#include "validation/metrics/reference_kind.hpp"
 
 namespace wetdeck {
 
@@ -25,7 +26,7 @@ struct Column {
 
 /// One reference file. The first column is strictly increasing and has no empty cell.
 struct Reference {
-    std::string kind;  ///< experiment, peer-simulation, analytic, stated
+    ReferenceKind kind = ReferenceKind::stated;
     std::string citation;
     std::optional<double> u_data;             ///< relative standard uncertainty, k = 1; empty if unknown
     std::map<std::string, std::string> keys;  ///< the whole header, the above included
@@ -35,7 +36,7 @@ struct Reference {
 };
 
 /// Reads and checks a reference file of at most 20 MB. Throws DataError, "file:line: what was found, what was
-/// expected".
+/// expected", and EnvironmentError if the file may not be read.
 Reference load_reference(const std::filesystem::path& path);
 
 /// The same of a text in that format which comes from somewhere else; `name` stands for the file in messages

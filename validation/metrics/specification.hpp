@@ -8,13 +8,11 @@
 #include <string>
 #include <vector>
 
-namespace wetdeck {
+#include "validation/metrics/metric.hpp"
+#include "validation/metrics/reference_kind.hpp"
+#include "validation/metrics/window.hpp"
 
-/// Closed interval on the scaled abscissa.
-struct Window {
-    double begin = 0;
-    double end = 0;
-};
+namespace wetdeck {
 
 /// How a series becomes a curve: ((time - x_offset) / x_scale, value / y_scale - y_offset); of a profile, the
 /// row at one instant, with its abscissa in place of the time.
@@ -32,24 +30,18 @@ struct SeriesScaling {
 /// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
 struct QuantitySpec : SeriesScaling {
     std::string name;
-    /// mean, standard_deviation, maximum, time_of_maximum, minimum, slope (least squares),
-    /// proportion (slope of the least-squares line through the origin), first_crossing
-    /// (upward through `threshold`), value_at (at `threshold` on the abscissa), rms_difference (root mean
-    /// square difference to `reference` at 2000 equidistant instants of the window, both interpolated
-    /// linearly, no time shift), integral, change (last value less the first), first_peak_integral (from the
-    /// window's begin until the curve has fallen from its maximum through `threshold` times that).
-    std::string metric;
+    const Metric* metric = nullptr;  ///< a row of metrics()
     std::string series;
     std::optional<Window> window;
     std::optional<double> threshold;
-    std::string reference;  ///< as in ComparisonSpec, for rms_difference
+    std::string reference;  ///< as in ComparisonSpec, for a metric that needs one
     std::string y_column;   ///< column of the reference
     std::string unit = "-";
     /// What the quantity should be, if anything is known: value +- tolerance, and who says so.
     std::optional<double> expected;
     std::optional<double> tolerance;
     std::string expected_source;
-    std::string expected_kind;  ///< experiment, peer-simulation, analytic, stated; empty if not said
+    std::optional<ReferenceKind> expected_kind;  ///< empty if the scene does not say
     std::optional<double> expected_uncertainty;  ///< standard, k = 1, in the unit; empty if unknown
 };
 
@@ -89,6 +81,15 @@ struct SourceRun {
     std::string conditions;  ///< its spacing, its step, its time, and where they are stated
 };
 
+/// A figure of a source of the scene, and where the report shows the same.
+struct SourceFigure {
+    std::string number;  ///< as printed in the source, "3" or "12a"
+    std::string shows;
+    std::vector<std::string> places;  ///< anchors of the report; those that exist are linked
+    std::string remark;
+    std::string source;  ///< citation
+};
+
 /// The part of a scene that analysis and report need.
 struct AnalysisSpec {
     std::string scene;
@@ -100,10 +101,13 @@ struct AnalysisSpec {
     std::vector<ComparisonSpec> comparisons;
     std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
+    std::vector<SourceFigure> source_figures;
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::optional<SourceRun> source_run;
     std::string error_quantity;  ///< the quantity whose error the speed-error diagram shows
     std::string default_variant;
+    bool expected_unstable =
+        false;                     ///< the variant is known to become unstable: that is a result, no failure
     std::filesystem::path folder;  ///< of the scene file: its own curves come before those of the program
 };
 

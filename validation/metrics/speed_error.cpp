@@ -25,7 +25,7 @@ std::optional<Target> target_of(const QuantityResult& result, const RunRecord& r
         return Target{*result.expected,
                       result.expected_source.empty() ? "the expected value" : result.expected_source};
     for (const QuantitySpec& spec : scene.quantities) {
-        if (spec.name == result.name && spec.metric == "rms_difference")
+        if (spec.name == result.name && spec.metric->needs.reference)
             return Target{0, "the curve " + spec.reference};
     }
     for (const ConvergenceRow& row : convergence) {
@@ -81,7 +81,7 @@ std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& r
         if (record.scene != scene.scene) continue;
         SpeedErrorPoint point{scene.scene, record.variant, record.particle_spacing, record.cost.core_s, {}};
         for (const QuantityResult& result : run.quantities) {
-            if (result.name != scene.error_quantity || !result.value || record.status != RunStatus::ok)
+            if (result.name != scene.error_quantity || !result.value || !counts(run))
                 continue;
             const std::optional<Target> target = target_of(result, record, scene, convergence);
             if (!target) continue;
@@ -110,14 +110,14 @@ std::vector<CheapestRow> cheapest_rows(const std::vector<RunSummary>& runs, cons
         return rows.back();
     };
     for (const RunSummary& run : runs) {
-        if (run.record.scene != scene.scene || run.record.status != RunStatus::ok) continue;
+        if (run.record.scene != scene.scene || !counts(run)) continue;
         for (const QuantityResult& q : run.quantities) {
             if (!q.value || q.expected.value_or(0) == 0) continue;
             take(row_of(q.name, q.expected_source), run,
                  std::abs(*q.value - *q.expected) / std::abs(*q.expected));
         }
         for (const ComparisonResult& c : run.comparisons) {
-            if (!c.available || !c.nrmse || c.kind == "peer-simulation") continue;
+            if (!c.available || !c.nrmse || c.kind == ReferenceKind::peer_simulation) continue;
             take(row_of("curve of " + c.quantity, c.title), run, *c.nrmse);
         }
     }
@@ -128,7 +128,7 @@ std::vector<PeerPoint> peer_points(const AnalysisSpec& scene, ReferenceShelf& re
     std::vector<PeerPoint> points;
     const auto error = std::find_if(scene.quantities.begin(), scene.quantities.end(),
                                     [&](const QuantitySpec& q) { return q.name == scene.error_quantity; });
-    if (error == scene.quantities.end() || error->metric != "rms_difference" || !error->window) return points;
+    if (error == scene.quantities.end() || !error->metric->needs.reference || !error->window) return points;
     const Reference* measured = references.find(error->reference);
     if (measured == nullptr) return points;
     const Curve target = scaled_reference(*measured, measured->columns.front().name, error->y_column,
@@ -136,7 +136,7 @@ std::vector<PeerPoint> peer_points(const AnalysisSpec& scene, ReferenceShelf& re
     for (const ComparisonSpec& spec : scene.comparisons) {
         if (spec.quantity != error->series || spec.reference == error->reference) continue;
         const Reference* peer = references.find(spec.reference);
-        if (peer == nullptr || peer->kind != "peer-simulation") continue;
+        if (peer == nullptr || peer->kind != ReferenceKind::peer_simulation) continue;
         const Curve curve = scaled_reference(*peer, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
         const auto common = overlap(target, *error->window);
         if (!common || !covers(curve, *common)) continue;

@@ -24,29 +24,17 @@ const std::map<std::string, std::string>& classes_by_unit() {
     return classes;
 }
 
-bool is_slope(const std::string& metric) {
-    return metric == "slope" || metric == "proportion";
-}
-
-bool is_integral(const std::string& metric) {
-    return metric == "integral" || metric == "first_peak_integral";
-}
-
-bool is_time(const std::string& metric) {
-    return metric == "time_of_maximum" || metric == "first_crossing";
-}
-
 const Series* series_of(const RunSummary& run, const std::string& name) {
     const auto found = run.record.series.find(name);
     return found == run.record.series.end() ? nullptr : &found->second;
 }
 
 /// The finest sound run of the default variant.
-const RunSummary* speaker(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
+const RunSummary* representative_run(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     const RunSummary* finest = nullptr;
     for (const RunSummary& run : runs) {
         const RunRecord& r = run.record;
-        if (!applies(scene, r) || r.variant != scene.default_variant || r.status != RunStatus::ok) continue;
+        if (!applies(scene, r) || r.variant != scene.default_variant || !counts(run)) continue;
         if (finest == nullptr || r.particle_spacing < finest->record.particle_spacing) finest = &run;
     }
     return finest;
@@ -67,9 +55,16 @@ struct SiScale {
 };
 
 SiScale si_scale(const QuantitySpec& spec, const std::string& unit) {
-    if (is_time(spec.metric)) return {spec.x_scale, "s"};
-    if (is_slope(spec.metric)) return {spec.y_scale / spec.x_scale, unit + "/s"};
-    if (is_integral(spec.metric)) return {spec.y_scale * spec.x_scale, unit == "N/m" ? "N s/m" : unit + " s"};
+    switch (spec.metric->dimension) {
+        case Dimension::series:
+            break;
+        case Dimension::abscissa:
+            return {spec.x_scale, "s"};
+        case Dimension::series_per_abscissa:
+            return {spec.y_scale / spec.x_scale, unit + "/s"};
+        case Dimension::series_times_abscissa:
+            return {spec.y_scale * spec.x_scale, unit == "N/m" ? "N s/m" : unit + " s"};
+    }
     return {spec.y_scale, unit};
 }
 
@@ -77,13 +72,12 @@ std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSu
     const auto result = std::find_if(run.quantities.begin(), run.quantities.end(),
                                      [&](const QuantityResult& q) { return q.name == spec.name; });
     const Series* series = series_of(run, spec.series);
-    const bool error_measure = spec.metric == "rms_difference" || spec.metric == "standard_deviation";
     if (result == run.quantities.end() || !result->value || !spec.expected || series == nullptr ||
-        error_measure)
+        spec.metric->is_error)
         return std::nullopt;
     ScatterPoint point = point_of(run);
     point.quantity = spec.name;
-    point.quantity_class = quantity_class(spec.metric, series->unit);
+    point.quantity_class = quantity_class(spec.metric->dimension, series->unit);
     const SiScale si = si_scale(spec, series->unit);
     const double scale = si.factor;
     point.unit = si.unit;
@@ -104,7 +98,7 @@ std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSum
     if (series == nullptr || !predicted || !expected) return std::nullopt;
     ScatterPoint point = point_of(run);
     point.quantity = fmt::format("{}, {}", c.quantity, feature);
-    point.quantity_class = quantity_class(feature, series->unit);
+    point.quantity_class = quantity_class(Dimension::series, series->unit);
     point.unit = series->unit;
     point.expected = (*expected + spec.y_offset) * spec.y_scale;
     point.predicted = (*predicted + spec.y_offset) * spec.y_scale;
@@ -115,29 +109,33 @@ std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSum
 }
 
 std::string reason_to_drop(const ScatterPoint& point) {
-    if (point.kind == "peer-simulation") return "another simulation, no measurement";
-    if (point.kind == "stated") return "stated in a publication, no measurement";
-    if (point.kind == "analytic") return "an analytic solution, no measurement";
-    if (point.kind != "experiment") return "the scene does not say what kind the expected value is";
+    if (!point.kind) return "the scene does not say what kind the expected value is";
+    if (!describe(*point.kind).validates) return describe(*point.kind).not_counted;
     if (!(point.expected > 0) || !(point.predicted > 0)) return "not positive: no logarithm";
     return "";
 }
 
 }  // namespace
 
-std::string quantity_class(const std::string& metric, const std::string& series_unit) {
-    if (is_time(metric)) return "time";
-    if (is_slope(metric) && series_unit == "m") return "velocity";
-    if (is_integral(metric) && series_unit == "N/m") return "impulse";
+std::string quantity_class(Dimension dimension, const std::string& series_unit) {
     const auto found = classes_by_unit().find(series_unit);
     const std::string name = found == classes_by_unit().end() ? "other" : found->second;
-    if (is_integral(metric)) return "integral of " + name;
-    return is_slope(metric) ? "slope of " + name : name;
+    switch (dimension) {
+        case Dimension::series:
+            break;
+        case Dimension::abscissa:
+            return "time";
+        case Dimension::series_per_abscissa:
+            return series_unit == "m" ? "velocity" : "slope of " + name;
+        case Dimension::series_times_abscissa:
+            return series_unit == "N/m" ? "impulse" : "integral of " + name;
+    }
+    return name;
 }
 
 std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     std::vector<ScatterPoint> points;
-    const RunSummary* run = speaker(scene, runs);
+    const RunSummary* run = representative_run(scene, runs);
     if (run == nullptr) return points;
     std::map<std::string, std::string> taken;  // series and class, then the point that stands for them
     for (const QuantitySpec& spec : scene.quantities) {

@@ -10,8 +10,9 @@
 
 namespace wetdeck {
 
-/// What kind of quantity a metric of a series in this unit is: "pressure", "position", "time" and so on.
-std::string quantity_class(const std::string& metric, const std::string& series_unit);
+/// The class of a quantity of that dimension, taken from a series in this unit: "pressure", "position",
+/// "time" and so on.
+std::string quantity_class(Dimension dimension, const std::string& series_unit);
 
 /// The pairs of a scene in SI units: every expected quantity and every curve (its peak, or its mean where the
 /// reference has no peak inside the window), from the finest sound run of the default variant. Not counted,

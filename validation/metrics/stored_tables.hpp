@@ -22,6 +22,5 @@ std::vector<StressRow> read_stress(const std::filesystem::path& directory);
 
 /// As in summary.json.
 nlohmann::json ablation_json(const AblationRow& row);
-nlohmann::json stress_json(const StressRow& row);
 
 }  // namespace wetdeck

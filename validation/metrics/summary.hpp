@@ -42,7 +42,7 @@ struct ComparisonResult {
     std::string title;
     std::string quantity;
     std::string reference;
-    std::string kind;  ///< experiment, peer-simulation, analytic, stated
+    std::optional<ReferenceKind> kind;  ///< empty if the reference is not available
     std::string citation;
     std::optional<double> nrmse;       ///< rms difference over the range of the reference in the window
     std::optional<double> peak_error;  ///< (max simulated - max reference) / |max reference| in the window
@@ -69,6 +69,8 @@ struct RunSummary {
     std::string directory;                 ///< relative to the suite's directory
     std::optional<double> energy_error;    ///< see conservation.hpp
     std::optional<double> momentum_error;  ///< see conservation.hpp
+    bool expected_unstable = false;        ///< its variant is known to become unstable
+    bool other_setup = false;              ///< its set-up or scheme is not that of the latest run of its variant
     std::vector<QuantityResult> quantities;
     std::vector<ComparisonResult> comparisons;
 };
@@ -99,8 +101,8 @@ struct CurveConvergenceRow {
 /// the sense of ASME V&V 20. All uncertainties are standard (k = 1), in the unit of the quantity.
 struct ValidationRow {
     std::string scene, variant, quantity, unit;
-    std::string against;  ///< who measured or computed
-    std::string kind;     ///< experiment, or empty if not said
+    std::string against;                ///< who measured or computed
+    std::optional<ReferenceKind> kind;  ///< empty if the scene does not say
     double dx = 0;
     double simulated = 0, reference = 0, error = 0;  ///< S, D, E = S - D
     std::optional<double> u_num, u_input, u_data;
@@ -112,7 +114,8 @@ struct ValidationRow {
 
 /// One pair of a measured or exact value and its prediction, in SI units.
 struct ScatterPoint {
-    std::string scene, variant, quantity, quantity_class, unit, against, kind;
+    std::string scene, variant, quantity, quantity_class, unit, against;
+    std::optional<ReferenceKind> kind;  ///< empty if the scene does not say
     double dx = 0, expected = 0, predicted = 0;
     std::optional<double> u_data;  ///< relative standard
     bool counted = false;          ///< in the statistics
@@ -184,6 +187,12 @@ struct StressRow {
     std::string note;
     std::string picture = {};  ///< of the death: a file, relative to the directory; empty if there is none
 };
+
+/// Whether a run takes part in what is computed from several runs: it has reached its end, and its set-up and scheme
+/// are those of its variant.
+inline bool counts(const RunSummary& run) {
+    return run.record.status == RunStatus::ok && !run.other_setup;
+}
 
 /// Whether a specification speaks for a run.
 inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {

@@ -16,23 +16,24 @@ namespace {
 
 /// A value with what it should be, from a quantity or from a curve.
 struct Item {
-    std::string name, unit, against, kind;
+    std::string name, unit, against;
+    std::optional<ReferenceKind> kind;
     std::optional<double> simulated, reference, u_data;
 };
 
 bool error_measure(const AnalysisSpec& scene, const std::string& quantity) {
     return std::any_of(scene.quantities.begin(), scene.quantities.end(), [&](const QuantitySpec& spec) {
-        return spec.name == quantity &&
-               (spec.metric == "rms_difference" || spec.metric == "standard_deviation");
+        return spec.name == quantity && spec.metric->is_error;
     });
 }
 
-bool judged(const std::string& kind) {
-    return kind == "experiment" || kind.empty();
+/// A value of unsaid kind gets the benefit of the doubt.
+bool counts_as_validation(std::optional<ReferenceKind> kind) {
+    return !kind || describe(*kind).validates;
 }
 
 Item item_of(const AnalysisSpec& scene, const QuantityResult& q) {
-    Item item{q.name, q.unit, q.expected_source, "", q.value, q.expected, {}};
+    Item item{q.name, q.unit, q.expected_source, {}, q.value, q.expected, {}};
     for (const QuantitySpec& spec : scene.quantities) {
         if (spec.name != q.name) continue;
         item.kind = spec.expected_kind;
@@ -108,7 +109,7 @@ using Sound = std::vector<const RunSummary*>;  // by spacing, coarse to fine
 std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     std::map<std::string, Sound> variants;
     for (const RunSummary& run : runs) {
-        if (applies(scene, run.record) && run.record.status == RunStatus::ok)
+        if (applies(scene, run.record) && counts(run))
             variants[run.record.variant].push_back(&run);
     }
     for (auto& entry : variants) {
@@ -157,7 +158,7 @@ std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std:
     std::vector<ValidationRow> rows;
     for (const auto& [variant, sound] : sound_runs(scene, runs)) {
         for (const Item& item : items_of(scene, *sound.back())) {
-            if (!item.simulated || !item.reference || !judged(item.kind)) continue;
+            if (!item.simulated || !item.reference || !counts_as_validation(item.kind)) continue;
             ValidationRow row;
             row.scene = scene.scene;
             row.variant = variant;

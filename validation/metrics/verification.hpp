@@ -6,11 +6,10 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "solver/core/curve.hpp"
-#include "validation/metrics/specification.hpp"
+#include "validation/metrics/window.hpp"
 
 namespace wetdeck {
 
@@ -34,11 +33,16 @@ struct VerificationRow {
     bool within = false;
 };
 
+struct LabelledCurve {
+    std::string label;
+    Curve curve;
+};
+
 /// Computed curves against the exact one.
 struct VerificationFigure {
     std::string title, x_label, x_unit, y_label, y_unit;
     Curve exact;  ///< may be empty
-    std::vector<std::pair<std::string, Curve>> computed;
+    std::vector<LabelledCurve> computed;
 };
 
 struct VerificationProblem {

@@ -1,138 +1,109 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validation/metrics/verification_json.hpp"
 
-#include <cmath>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
-#include "validation/metrics/json_numbers.hpp"
+#include "validation/metrics/json_fields.hpp"
 
 namespace wetdeck {
-namespace {
 
 using nlohmann::json;
 
-std::vector<double> read_numbers(const json& list) {
+static std::vector<double> read_numbers(const json& list) {
     std::vector<double> values;
     for (const json& value : list)
         values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
     return values;
 }
 
-json curve_json(const Curve& curve) {
-    return {{"x", numbers(curve.x)}, {"y", numbers(curve.y)}};
+static void to_json(json& j, const Curve& curve) {
+    j = {{"x", numbers(curve.x)}, {"y", numbers(curve.y)}};
+}
+static void from_json(const json& j, Curve& curve) {
+    curve = {read_numbers(j.at("x")), read_numbers(j.at("y"))};
 }
 
-Curve read_curve(const json& curve) {
-    return {read_numbers(curve.at("x")), read_numbers(curve.at("y"))};
-}
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LabelledCurve, label, curve)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(VerificationFigure, title, x_label, x_unit, y_label, y_unit, exact,
+                                   computed)
 
-json row_json(const std::string& problem, const VerificationRow& row) {
+static void to_json(json& j, const VerificationRow& row) {
     const auto& range = row.claim.order;
-    return {{"problem", problem},
-            {"quantity", row.claim.quantity},
-            {"meaning", row.claim.meaning},
-            {"resolution_is", row.claim.resolution},
-            {"resolution", numbers(row.resolution)},
-            {"error", numbers(row.error)},
-            {"order", number(row.order)},
-            {"expected_order", range ? json(0.5 * (range->begin + range->end)) : json(nullptr)},
-            {"expected_order_range", range ? json{range->begin, range->end} : json(nullptr)},
-            {"bound", number(row.claim.bound)},
-            {"reason", row.claim.reason},
-            {"known_miss", row.claim.known_miss},
-            {"within", row.within}};
+    j = {{"quantity", row.claim.quantity},
+         {"meaning", row.claim.meaning},
+         {"resolution_is", row.claim.resolution},
+         {"resolution", numbers(row.resolution)},
+         {"error", numbers(row.error)},
+         {"order", row.order},
+         {"expected_order", range ? json(0.5 * (range->begin + range->end)) : json(nullptr)},
+         {"expected_order_range", range},
+         {"bound", row.claim.bound},
+         {"reason", row.claim.reason},
+         {"known_miss", row.claim.known_miss},
+         {"within", row.within}};
 }
-
-VerificationRow read_row(const json& entry) {
-    VerificationRow row;
-    row.claim.quantity = entry.at("quantity");
-    row.claim.meaning = entry.at("meaning");
-    row.claim.resolution = entry.at("resolution_is");
-    row.claim.known_miss = entry.at("known_miss");
-    row.claim.bound = entry.at("bound");
-    row.claim.reason = entry.at("reason");
-    const json& range = entry.at("expected_order_range");
-    if (!range.is_null()) row.claim.order = Window{range.at(0), range.at(1)};
-    row.resolution = read_numbers(entry.at("resolution"));
-    row.error = read_numbers(entry.at("error"));
+static void from_json(const json& j, VerificationRow& row) {
+    j.at("quantity").get_to(row.claim.quantity);
+    j.at("meaning").get_to(row.claim.meaning);
+    j.at("resolution_is").get_to(row.claim.resolution);
+    j.at("known_miss").get_to(row.claim.known_miss);
+    j.at("bound").get_to(row.claim.bound);
+    j.at("reason").get_to(row.claim.reason);
+    j.at("expected_order_range").get_to(row.claim.order);
+    row.resolution = read_numbers(j.at("resolution"));
+    row.error = read_numbers(j.at("error"));
     judge(row);
-    return row;
 }
 
-json problem_json(const VerificationProblem& problem) {
-    json rows = json::array(), figures = json::array();
-    for (const VerificationRow& row : problem.rows) rows.push_back(row_json(problem.name, row));
-    for (const VerificationFigure& figure : problem.figures) {
-        json computed = json::array();
-        for (const auto& [label, curve] : figure.computed)
-            computed.push_back({{"label", label}, {"curve", curve_json(curve)}});
-        figures.push_back({{"title", figure.title},
-                           {"x_label", figure.x_label},
-                           {"x_unit", figure.x_unit},
-                           {"y_label", figure.y_label},
-                           {"y_unit", figure.y_unit},
-                           {"exact", curve_json(figure.exact)},
-                           {"computed", computed}});
+/// Each row with the name of its problem.
+static json rows_json(const VerificationProblem& problem) {
+    json rows = json::array();
+    for (const VerificationRow& row : problem.rows) {
+        rows.push_back(row);
+        rows.back()["problem"] = problem.name;
     }
-    return {{"name", problem.name},         {"title", problem.title},
-            {"exact", problem.exact},       {"rows", rows},
-            {"figures", figures},           {"notes", problem.notes},
-            {"unstable", problem.unstable}, {"wall_s", number(problem.wall_s)}};
+    return rows;
 }
 
-VerificationProblem read_problem(const json& entry) {
-    VerificationProblem problem;
-    problem.name = entry.at("name");
-    problem.title = entry.at("title");
-    problem.exact = entry.at("exact");
-    problem.notes = entry.at("notes").get<std::vector<std::string>>();
-    problem.unstable = entry.at("unstable");
-    problem.wall_s = entry.at("wall_s");
-    for (const json& row : entry.at("rows")) problem.rows.push_back(read_row(row));
-    for (const json& f : entry.at("figures")) {
-        VerificationFigure figure{f.at("title"),
-                                  f.at("x_label"),
-                                  f.at("x_unit"),
-                                  f.at("y_label"),
-                                  f.at("y_unit"),
-                                  read_curve(f.at("exact")),
-                                  {}};
-        for (const json& c : f.at("computed"))
-            figure.computed.emplace_back(c.at("label"), read_curve(c.at("curve")));
-        problem.figures.push_back(std::move(figure));
-    }
-    return problem;
+static void to_json(json& j, const VerificationProblem& problem) {
+    j = {{"name", problem.name},         {"title", problem.title},     {"exact", problem.exact},
+         {"rows", rows_json(problem)},   {"figures", problem.figures}, {"notes", problem.notes},
+         {"unstable", problem.unstable}, {"wall_s", problem.wall_s}};
 }
-
-}  // namespace
+static void from_json(const json& j, VerificationProblem& problem) {
+    j.at("name").get_to(problem.name);
+    j.at("title").get_to(problem.title);
+    j.at("exact").get_to(problem.exact);
+    j.at("rows").get_to(problem.rows);
+    j.at("figures").get_to(problem.figures);
+    j.at("notes").get_to(problem.notes);
+    j.at("unstable").get_to(problem.unstable);
+    j.at("wall_s").get_to(problem.wall_s);
+}
 
 json verification_list(const std::vector<VerificationProblem>& problems) {
     json list = json::array();
     for (const VerificationProblem& problem : problems) {
-        for (const VerificationRow& row : problem.rows) list.push_back(row_json(problem.name, row));
+        for (json& row : rows_json(problem)) list.push_back(std::move(row));
     }
     return list;
 }
 
 json verification_json(const std::vector<VerificationProblem>& problems) {
-    json list = json::array();
-    for (const VerificationProblem& problem : problems) list.push_back(problem_json(problem));
-    return list;
+    return problems;
 }
 
 std::vector<VerificationProblem> read_verification(const std::filesystem::path& file) {
-    std::vector<VerificationProblem> problems;
     std::ifstream in(file);
-    if (!in) return problems;
+    if (!in) return {};
     try {
-        for (const json& entry : json::parse(in)) problems.push_back(read_problem(entry));
+        return json::parse(in).get<std::vector<VerificationProblem>>();
     } catch (const json::exception& error) {
         throw DataError(file.string() + ": not the results of `wetdeck verify`: " + error.what());
     }
-    return problems;
 }
 
 }  // namespace wetdeck

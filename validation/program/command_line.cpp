@@ -6,280 +6,150 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "validation/metrics/ablation.hpp"
+#include "validation/commands/commands.hpp"
+#include "validation/run/exit_code.hpp"
 
 namespace wetdeck {
 namespace {
 
-CLI::Option* add_count(CLI::App* command, const char* name, int& value, const char* description) {
-    return command->add_option(name, value, description)->check(CLI::Range(1, 4096))->type_name("N");
-}
+constexpr const char* exit_codes =
+    "Exit codes: 0 done and within tolerance, 1 outside a stated tolerance, 2 bad usage or input,\n"
+    "3 a run became unstable, 4 the environment failed (disk full, no permission),\n"
+    "130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM.";
 
-CLI::Option* add_out(CLI::App* command, Options& options, const char* description) {
-    return command->add_option("--out", options.out, description)->type_name("DIR");
-}
-
-void add_scene(CLI::App* command, Options& options) {
-    command
-        ->add_option("scene", options.scene, "name from `wetdeck list`, or path of a scene file of your own")
-        ->required()
-        ->type_name("");
-}
-
-void add_directory(CLI::App* command, Options& options, const char* description) {
-    command->add_option("directory", options.out, description)->required()->type_name("");
-}
-
-void add_json(CLI::App* command, Options& options) {
-    command->add_flag("--json", options.json, "JSON on stdout, for scripts");
-}
-
-void add_only(CLI::App* command, std::vector<std::string>& names, const char* description) {
-    command->add_option("--only", names, description)->delimiter(',')->type_name("NAME,...");
-}
-
-void add_checkpoint_interval(CLI::App* command, Options& options) {
-    command
-        ->add_option("--checkpoint-interval", options.checkpoint_interval,
-                     "wall seconds between checkpoints; further apart where they would cost more than 1 %; "
-                     "0: as often as can be")
-        ->check(CLI::Range(0.0, 1e9))
-        ->type_name("SECONDS")
-        ->capture_default_str();
-}
-
-void add_quiet(CLI::App* command, Options& options) {
-    command->add_flag("-q,--quiet", options.quiet, "no progress, results and errors only");
-}
-
-void add_verbose(CLI::App* command, Options& options) {
-    command->add_flag("-v,--verbose", options.verbose, "also where the time went and what set the step");
-}
-
-/// Variant, spacing and end of one run.
-void add_run_choice(CLI::App* command, Options& options, const char* default_spacing) {
-    command->add_option("--variant", options.variant, "variant of the scene (its default)")
-        ->type_name("NAME");
-    command
-        ->add_option("--dx", options.particle_spacing,
-                     fmt::format("particle spacing [m] ({})", default_spacing))
-        ->type_name("M");
-    command->add_option("--until", options.until, "stop time [s] (the scene's)")->type_name("S");
-}
-
-void add_suite(CLI::App& app, Options& options) {
-    SuiteOptions& o = options.suite;
-    CLI::App* suite = app.add_subcommand(
-        "suite", "run every scene, spacing and variant of a tier, compare, write the report");
-    suite->add_option("--tier", o.tier, "quick, standard or paper")->type_name("TIER")->capture_default_str();
-    add_only(suite, o.scenes, "scenes to run, names or paths, separated by commas");
-    add_out(suite, options, "directory of the results (results/TIER)");
-    add_count(suite, "--jobs", o.jobs, "runs at a time (one per core)");
-    add_count(suite, "--threads", o.threads, "threads of each run (the cores shared out)");
-    suite->add_flag("--plan", options.plan, "print the rows with their cost and state, run nothing");
-    suite->add_option("--row", o.row, "run this row of the plan alone, without a report")->type_name("N");
-    suite
-        ->add_option("--executor", options.executor,
-                     "local, or slurm: submit what is left to do as a job array")
-        ->check(CLI::IsMember({"local", "slurm"}))
-        ->type_name("NAME")
-        ->capture_default_str();
-    suite->add_option("--partition", options.slurm.partition, "slurm: partition (the cluster's default)")
-        ->type_name("NAME");
-    suite->add_option("--concurrent", options.slurm.concurrent, "slurm: jobs at a time (no limit)")
-        ->check(CLI::Range(1, 100000))
-        ->type_name("N");
-    suite->add_flag("--fresh", o.fresh, "run again what is finished");
-    add_checkpoint_interval(suite, options);
-    suite->add_flag("--json", options.json, "with --plan: JSON on stdout, for scripts");
-    add_quiet(suite, options);
-}
-
-void add_run(CLI::App& app, Options& options) {
-    CLI::App* run = app.add_subcommand("run", "one run of a scene");
-    add_scene(run, options);
-    add_run_choice(run, options, "the finest of the quick tier");
-    run->add_option("--set", options.overrides, "overrides a key of the scene file, may be given many times")
-        ->allow_extra_args(false)
-        ->type_name("KEY=VALUE");
-    add_out(run, options, "run directory (results/runs/...)");
-    add_count(run, "--threads", options.threads, "threads (all)");
-    run->add_flag("--replace", options.replace, "replace the run that the directory holds");
-    run->footer(
-        "A directory that holds the same run, interrupted, is gone on with from its last checkpoint.");
-    CLI::App* resume = app.add_subcommand(
-        "resume", "go on with an interrupted run from its last checkpoint; ends with the same bits");
-    add_directory(resume, options, "run directory");
-    add_count(resume, "--threads", options.threads, "threads (all)");
-    for (CLI::App* command : {run, resume}) {
-        add_checkpoint_interval(command, options);
-        add_json(command, options);
-        add_quiet(command, options);
-        add_verbose(command, options);
-    }
-}
-
-void add_studies(CLI::App& app, Options& options) {
-    CLI::App* verify =
-        app.add_subcommand("verify", "problems with exact solutions: error and observed order");
-    add_only(verify, options.verify.problems, "problems to run, separated by commas");
-    add_out(verify, options, "directory of the results (results/verification)");
-    verify->add_flag("--fast", options.verify.fast, "coarse resolutions of the quick problems only");
-
-    CLI::App* stress = app.add_subcommand(
-        "stress", "hard cases: what the default scheme, the paper's and none of the dissipation survive");
-    add_only(stress, options.stress.cases, "cases to run, separated by commas");
-    add_out(stress, options, "directory of the results (results/stress)");
-    add_count(stress, "--jobs", options.stress.jobs, "runs at a time (one per core)");
-    stress->add_flag("--fast", options.stress.fast,
-                     "the quick settings with the default scheme alone, no search for limits");
-
-    CLI::App* ablate = app.add_subcommand(
-        "ablate", "leave out one ingredient of a scene's model at a time: what it buys and costs");
-    add_scene(ablate, options);
-    add_run_choice(ablate, options, "the coarsest of the quick tier");
-    add_out(ablate, options, "directory of the results (results/quick)");
-    add_count(ablate, "--jobs", options.suite.jobs, "runs at a time (one per core)");
-    ablate->add_flag("--fresh", options.suite.fresh, "run again what is finished");
-    add_quiet(ablate, options);
-    ablate->footer(std::string("Verdict: ") + ablation_rule + ".");
-
-    CLI::App* bench = app.add_subcommand(
-        "bench", "speed of the solver by stage and threads, and its share of what this machine could do");
-    add_count(bench, "--threads", options.bench.threads, "largest number of threads (all)");
-    bench->add_option("--dx", options.bench.particle_spacing, "particle spacing of the dam break [m]")
-        ->check(CLI::Range(1e-6, 1e3))
-        ->type_name("M")
-        ->capture_default_str();
-    bench->add_option("--repeats", options.bench.repeats, "of each measurement")
-        ->check(CLI::Range(1, 100000))
-        ->type_name("N")
-        ->capture_default_str();
-    bench
-        ->add_option_function<std::string>(
-            "--json",
-            [&options](const std::string& file) {
-                options.json = true;
-                options.json_file = file;
-            },
-            "JSON to this file, or instead of the table")
-        ->expected(0, 1)
-        ->type_name("[FILE]");
-}
-
-void add_reports(CLI::App& app, Options& options) {
-    CLI::App* report = app.add_subcommand("report", "write the report again from the stored runs alone");
-    add_directory(report, options, "directory of a suite or a run");
-    report
-        ->add_option("--publish", options.publish,
-                     "also write small tables and figures to this folder, in one named after the tier")
-        ->type_name("DIR");
-
-    CLI::App* baseline = app.add_subcommand(
-        "baseline", "keep what the runs of a directory gave, or compare with what was kept");
-    baseline->add_option("action", options.action, "write or compare")
-        ->required()
-        ->check(CLI::IsMember({"write", "compare"}))
-        ->type_name("");
-    add_directory(baseline, options, "directory of a suite or a run");
-    baseline->add_option("--file", options.baseline, "the baseline, a JSON file")
-        ->required()
-        ->type_name("FILE");
-    baseline->add_flag("--replace", options.replace, "replace the baseline that is there");
-    baseline->add_flag("--json", options.json, "with compare: JSON on stdout, for scripts");
-
-    CLI::App* list =
-        app.add_subcommand("list", "scenes and their variants, problems with exact solutions, hard cases");
-    add_json(list, options);
-    CLI::App* describe = app.add_subcommand("describe", "set-up, references and cost of one scene");
-    add_scene(describe, options);
-    add_json(describe, options);
-    CLI::App* check =
-        app.add_subcommand("check", "validate a scene file (.toml) or a reference curve (.csv)");
-    check->add_option("file", options.scene, "path")->required()->type_name("");
-    add_json(check, options);
-}
-
-std::unique_ptr<CLI::App> command_line(Options& options) {
+std::unique_ptr<CLI::App> command_line(int& exit_code) {
     auto app = std::make_unique<CLI::App>(
         "wetdeck: two-phase SPH of bodies that slam into water, checked against experiments and exact "
         "solutions",
         "wetdeck");
     app->require_subcommand(0, 1);
-    app->add_flag("--version", options.version, "version, commit, compiler, instruction set, threads");
-    app->add_flag("--json", options.json, "with --version: JSON on stdout, for scripts");
+    add_version(*app);
+    app->footer(exit_codes);  // handed down to the commands
+    add_commands(*app, exit_code);
     app->footer(
-        "Exit codes: 0 done and within tolerance, 1 outside a stated tolerance, 2 bad usage or input,\n"
-        "3 a run became unstable, 4 the environment failed (disk full, no permission),\n"
-        "130 or 143 stopped by SIGINT (Ctrl-C) or SIGTERM.\n"
-        "run, resume, suite and ablate stop cleanly: each run writes a checkpoint and says how to go on\n"
-        "(`wetdeck resume RUN_DIR`, or the same command again). A second signal ends the program at once;\n"
-        "then, as after kill -9 or a power cut, the last periodic checkpoint counts.");
-    add_suite(*app, options);
-    add_run(*app, options);
-    add_studies(*app, options);
-    add_reports(*app, options);
+        std::string(exit_codes) +
+        "\nAfter a signal run, resume, suite and ablate write a checkpoint of each run and print how to\n"
+        "continue (`wetdeck resume RUN_DIR`, or the same command again). A second signal ends the program\n"
+        "at once; then, as after kill -9 or a power failure, a run continues from its last periodic\n"
+        "checkpoint.\n"
+        "The script ./wetdeck at the root of the sources has two more commands: `./wetdeck test` builds and\n"
+        "runs all tests, `./wetdeck docs` makes the API pages.");
+    app->callback([program = app.get()] {
+        if (program->get_subcommands().empty()) fmt::print("{}", program->help());
+    });
     return app;
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> unknown = app.remaining();
+    const bool misspelt = app.get_subcommands().empty() && !unknown.empty() && unknown.front().front() != '-';
+    if (!misspelt) return fmt::format("{}; see wetdeck --help", error.what());
+    std::vector<std::string> names;
+    for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+    const std::string nearest = nearest_name(unknown.front(), names);
+    return fmt::format("no command '{}'; {}", unknown.front(),
+                       nearest.empty() ? "see wetdeck --help" : fmt::format("did you mean '{}'?", nearest));
+}
+
+/// The choices of a type name such as "NAME:{local,slurm}".
+std::vector<std::string> choices_in(const std::string& type_name) {
+    const std::size_t open = type_name.find('{'), close = type_name.find('}');
+    if (open == std::string::npos || close == std::string::npos) return {};
+    return CLI::detail::split(type_name.substr(open + 1, close - open - 1), ',');
+}
+
+OptionInfo describe(const CLI::Option& option) {
+    OptionInfo info;
+    info.positional = option.get_positional();
+    info.name = info.positional ? option.get_name(true) : "--" + option.get_lnames().front();
+    if (!option.get_snames().empty()) info.name = "-" + option.get_snames().front() + ", " + info.name;
+    info.description = option.get_description();
+    if (const std::string preset = option.get_default_str(); !preset.empty())
+        info.description += fmt::format(" (default: {})", preset);
+    if (option.get_items_expected_max() > 0) {
+        const std::string type = option.get_type_name();  // followed by a colon and the accepted values
+        info.value = type.substr(0, type.find(':'));
+        info.choices = choices_in(type);
+    }
+    return info;
 }
 
 CommandInfo describe(const CLI::App& command) {
     CommandInfo info{command.get_name(), command.get_description(), command.get_footer(), {}};
-    for (const CLI::Option* option : command.get_options()) {
-        const bool positional = option->get_positional();
-        std::string name = positional ? option->get_name(true) : "--" + option->get_lnames().front();
-        if (!option->get_snames().empty()) name = "-" + option->get_snames().front() + ", " + name;
-        std::string description = option->get_description();
-        if (const std::string preset = option->get_default_str(); !preset.empty())
-            description += fmt::format(" ({})", preset);
-        const bool takes_value = option->get_items_expected_max() > 0;
-        const std::string value = option->get_type_name();  // its range behind a colon
-        info.options.push_back(
-            {name, takes_value ? value.substr(0, value.find(':')) : "", description, positional});
-    }
+    for (const CLI::Option* option : command.get_options()) info.options.push_back(describe(*option));
     std::stable_partition(info.options.begin(), info.options.end(),
                           [](const OptionInfo& option) { return option.positional; });
     return info;
 }
 
+/// Single edits that turn one word into the other: a letter inserted, left out or replaced, or two
+/// neighbours exchanged.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::vector<std::size_t>> distance(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            std::size_t& d = distance[i][j];
+            d = i + j;  // where one of them is empty
+            if (i == 0 || j == 0) continue;
+            d = std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1,
+                          distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            const bool exchanged = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if (exchanged) d = std::min(d, distance[i - 2][j - 2] + 1);
+        }
+    }
+    return distance[a.size()][b.size()];
+}
+
 }  // namespace
 
-ParsedCommandLine parse_command_line(int argc, char** argv) {
-    ParsedCommandLine parsed;
-    const auto app = command_line(parsed.options);
+int run_command_line(std::vector<std::string> words) {
+    int exit_code = exit_done;
+    const auto app = command_line(exit_code);
+    std::reverse(words.begin(), words.end());  // as CLI11 wants them
     try {
-        app->parse(argc, argv);
-    } catch (const CLI::CallForHelp& help) {
-        parsed.exit_code = app->exit(help);
+        app->parse(words);
+    } catch (const CLI::Success& request) {  // for the help or the version
+        return app->exit(request);
     } catch (const CLI::ParseError& error) {
-        complain(fmt::format("{}; see wetdeck --help", error.what()));
-        parsed.exit_code = 2;
+        print_error(usage_error(*app, error));
+        return exit_usage;
     }
-    for (const CLI::App* command : app->get_subcommands()) parsed.options.command = command->get_name();
-    return parsed;
+    return exit_code;
 }
 
-std::string help_text() {
-    Options options;
-    return command_line(options)->help();
-}
-
-std::vector<CommandInfo> command_list() {
-    Options options;
-    const auto app = command_line(options);
-    std::vector<CommandInfo> list = {describe(*app)};
-    list.front().name.clear();
-    for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; }))
-        list.push_back(describe(*command));
-    for (CommandInfo& command : list)
-        if (command.footer == app->get_footer()) command.footer.clear();  // handed down to all
-    return list;
-}
-
-void complain(std::string message) {
+void print_error(std::string message) {
     std::replace_if(
         message.begin(), message.end(),
         [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
     fmt::print(stderr, "wetdeck: {}\n", message);
+}
+
+std::vector<CommandInfo> command_list() {
+    int exit_code = 0;
+    const auto app = command_line(exit_code);
+    std::vector<CommandInfo> list = {describe(*app)};
+    list.front().name.clear();
+    for (const CLI::App* command : commands_of(*app)) list.push_back(describe(*command));
+    for (CommandInfo& command : list)
+        if (command.footer == exit_codes) command.footer.clear();
+    list.front().footer.clear();  // the manual page has sections of its own for this
+    return list;
+}
+
+std::string nearest_name(const std::string& word, const std::vector<std::string>& names) {
+    std::string nearest;
+    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (const std::string& name : names) {
+        const std::size_t distance = edit_distance(word, name);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = name;
+    }
+    return nearest;
 }
 
 }  // namespace wetdeck

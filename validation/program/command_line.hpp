@@ -1,62 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user may write: commands and options, as parsed and as a list for the manual and for completion.
+// The command line: parsing, errors of usage, and a list of commands and options for the manual page and for
+// completion.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "validation/benchmark/benchmark.hpp"
-#include "validation/commands/stress.hpp"
-#include "validation/commands/verify.hpp"
-#include "validation/jobs/slurm.hpp"
-#include "validation/jobs/suite.hpp"
-
 namespace wetdeck {
 
-struct Options {
-    std::string command;  ///< empty: none was given
-    bool version = false;
-    // run
-    std::string scene;
-    std::string variant;
-    std::optional<double> particle_spacing;
-    std::vector<std::string> overrides;
-    double until = 0;
-    int threads = 0;
-    bool replace = false;
-    double checkpoint_interval = RunOptions{}.checkpoint_interval;
-    // suite
-    SuiteOptions suite;
-    bool plan = false;
-    std::string executor = "local";
-    SlurmOptions slurm;
-    // bench
-    BenchmarkOptions bench;
-    std::string json_file;
-    // verify
-    VerifyOptions verify;
-    // stress
-    StressOptions stress;
-    // report, baseline
-    std::string publish, action, baseline;
-    // all
-    std::string out;
-    bool json = false, quiet = false, verbose = false;
-};
+/// Runs the command that the words behind the program's name give and returns the exit code. Help goes to
+/// stdout; bad usage prints one line on stderr and returns 2. Throws what the command throws.
+int run_command_line(std::vector<std::string> words);
 
-/// The options, or the exit code where the command line asks for help or is wrong, which is then said.
-struct ParsedCommandLine {
-    Options options;
-    std::optional<int> exit_code;
-};
-ParsedCommandLine parse_command_line(int argc, char** argv);
-
-std::string help_text();
+/// "wetdeck: MESSAGE" on stderr, as one line: control characters become spaces.
+void print_error(std::string message);
 
 struct OptionInfo {
-    std::string name;   ///< "--tier", or that of a positional one: "scene"
-    std::string value;  ///< what it takes: "DIR"; empty for a flag
+    std::string name;                  ///< "--tier", or that of a positional argument: "scene"
+    std::string value;                 ///< name of its value: "DIR"; empty for a flag
+    std::vector<std::string> choices;  ///< all values it accepts, where these are listed
     std::string description;
     bool positional = false;
 };
@@ -65,13 +27,13 @@ struct CommandInfo {
     std::string name;
     std::string description;
     std::string footer;
-    std::vector<OptionInfo> options;  ///< positional ones first
+    std::vector<OptionInfo> options;  ///< positional arguments first
 };
 
 /// Every command, in the order of the help; the program itself, without a name, comes first.
 std::vector<CommandInfo> command_list();
 
-/// "wetdeck: MESSAGE" on stderr, one line whatever the names in it hold.
-void complain(std::string message);
+/// The name that differs least from `word`; empty if none is similar.
+std::string nearest_name(const std::string& word, const std::vector<std::string>& names);
 
 }  // namespace wetdeck

@@ -21,8 +21,8 @@ Words names_of(const List& list) {
     return names;
 }
 
-/// The variants of the scene that the line names, if it can be read.
-Words variants_on(const Words& words) {
+/// The variants of the scene that one of the words names.
+Words variants_of_scene_in(const Words& words) {
     for (const std::string& word : words) {
         try {
             return names_of(read_scene(find_scene(word)).variants);
@@ -32,49 +32,45 @@ Words variants_on(const Words& words) {
     return {};
 }
 
-Words values_of(const std::string& command, const std::string& option, const Words& words) {
-    if (option == "--tier") return {"quick", "standard", "paper"};
-    if (option == "--executor") return {"local", "slurm"};
-    if (option == "--variant") return variants_on({words.begin() + 1, words.end() - 1});
-    if (option != "--only") return {};
-    if (command == "verify") return names_of(verification::all_problems());
-    if (command == "stress") return names_of(stress::all_cases());
-    return scene_names();
-}
-
-Words positional_values(const std::string& command) {
-    if (command == "baseline") return {"write", "compare"};
-    if (command == "run" || command == "ablate" || command == "describe") return scene_names();
+/// The values that an option accepts, known by the name of its value in the help, and an argument by its own
+/// name.
+/// @param words  of the line
+Words values_of(const OptionInfo& option, const Words& words) {
+    if (!option.choices.empty()) return option.choices;
+    const std::string kind = option.positional ? option.name : option.value.substr(0, option.value.find(','));
+    if (kind == "scene" || kind == "SCENE") return scene_names();
+    if (kind == "VARIANT") return variants_of_scene_in({words.begin() + 1, words.end() - 1});
+    if (kind == "TIER") return {"quick", "standard", "paper"};
+    if (kind == "PROBLEM") return names_of(verification::all_problems());
+    if (kind == "CASE") return names_of(stress::all_cases());
     return {};
 }
 
+bool has_name(const OptionInfo& option, const std::string& name) {
+    return !option.positional && (option.name == name || option.name.ends_with(" " + name));
+}
+
+/// All words that may stand in place of the last one.
 Words candidates(const Words& words) {
     const std::vector<CommandInfo> commands = command_list();
-    const auto named = [&](const std::string& name) {
-        return std::find_if(commands.begin(), commands.end(),
-                            [&](const CommandInfo& c) { return c.name == name; });
-    };
-    const auto command = named(words.size() > 1 ? words.front() : "");
+    const std::string name = words.size() > 1 ? words.front() : "";
+    const auto command =
+        std::find_if(commands.begin(), commands.end(), [&](const CommandInfo& c) { return c.name == name; });
     if (command == commands.end()) return {};
-    const auto has_name = [](const OptionInfo& option, const std::string& name) {
-        return !option.positional && (option.name == name || option.name.ends_with(" " + name));
-    };
     if (words.size() > 1) {
-        const std::string& before = words[words.size() - 2];
         for (const OptionInfo& option : command->options)
-            if (has_name(option, before) && !option.value.empty())
-                return values_of(command->name, before, words);
+            if (has_name(option, words[words.size() - 2]) && !option.value.empty())
+                return values_of(option, words);
     }
-    Words all;
     if (words.back().starts_with('-')) {
+        Words names;
         for (const OptionInfo& option : command->options)
-            if (!option.positional) all.push_back(option.name.substr(option.name.rfind(' ') + 1));
-    } else if (command->name.empty()) {
-        all = names_of(std::vector(commands.begin() + 1, commands.end()));
-    } else {
-        all = positional_values(command->name);
+            if (!option.positional) names.push_back(option.name.substr(option.name.rfind(' ') + 1));
+        return names;
     }
-    return all;
+    if (command->name.empty()) return names_of(std::vector(commands.begin() + 1, commands.end()));
+    const std::vector<OptionInfo>& options = command->options;  // positional ones first
+    return !options.empty() && options.front().positional ? values_of(options.front(), words) : Words{};
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `wetdeck --complete WORDS...`: what could stand in place of the last word. completion.bash asks it.
+// `wetdeck --complete WORDS...`: completions of the last word, for completion.bash.
 #pragma once
 
 #include <string>
@@ -7,9 +7,8 @@
 
 namespace wetdeck {
 
-/// @param words  of the command line behind the program's name; the last one is being written and may be
-/// empty
-/// @return those that begin as it does; none where a file or a value that cannot be listed is due
+/// @param words  of the command line behind the program's name; the last one is being typed and may be empty
+/// @return the possible words that begin with it; none where a file or a free value is expected
 std::vector<std::string> completions(const std::vector<std::string>& words);
 
 }  // namespace wetdeck

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "validation/program/command_line.hpp"
+#include "validation/store/provenance.hpp"
 
 namespace wetdeck {
 namespace {
@@ -17,7 +18,7 @@ wetdeck \- SPH of bodies that slam into water, checked against experiments and e
 .SH DESCRIPTION
 wetdeck solves water and air as two weakly compressible fluids in two dimensions by smoothed particle hydrodynamics, runs
 published experiments at several resolutions, compares every run with measurements, exact solutions and other codes, and
-writes one report that says what was reached and at what cost. All units are SI.
+writes one report of the accuracy reached and its cost. All units are SI.
 )";
 
 constexpr const char* tail = R"(.SH FILES
@@ -36,17 +37,17 @@ the particles over time, for ParaView
 .SH ENVIRONMENT
 .TP
 .B WETDECK_DATA
-folder that holds
+folder with
 .I scenes
 and
 .I reference_data
-in place of those installed with the program
+to use in place of the installed ones
 .TP
 .B WETDECK_SIMD
-instruction set to use: sse2, avx2 or avx512 (the best that the processor has)
+instruction set to use: sse2, avx2 or avx512 (default: the widest that the processor supports)
 .TP
 .B OMP_NUM_THREADS
-threads where no option says how many
+number of threads where no option sets it
 .SH EXIT STATUS
 .TP
 .B 0
@@ -65,22 +66,22 @@ a run became unstable
 the environment failed: disk full, no permission
 .TP
 .B 130, 143
-stopped by Ctrl-C or SIGTERM, with a checkpoint written
+stopped by Ctrl-C or SIGTERM after writing a checkpoint
 .SH EXAMPLES
 .TP
 .B wetdeck suite \-\-tier quick
-runs every scene and writes
+runs every scene of the quick tier and writes
 .I results/quick/index.html
 .TP
 .B wetdeck run wedge \-\-variant single\-phase \-\-dx 0.01 \-\-out drop
-one run into the folder
+makes one run and stores it in the folder
 .I drop
 .TP
 .B wetdeck report drop
-its report
+writes the report of that run
 )";
 
-/// Text as roff takes it: minus signs and backslashes escaped, no line that begins with a control character.
+/// Text for roff: minus signs and backslashes escaped, and lines that would begin with a control character.
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char letter : text) {
@@ -113,8 +114,9 @@ std::string option_entry(const OptionInfo& option) {
 
 }  // namespace
 
-std::string manual_page(const std::string& version) {
+std::string manual_page() {
     const std::vector<CommandInfo> commands = command_list();
+    const std::string version = collect_provenance("", 1).program_version;
     std::string page = fmt::format(".TH WETDECK 1 \"\" \"wetdeck {}\" \"User Commands\"\n", version) + head;
     page += ".SH OPTIONS\n";
     for (const OptionInfo& option : commands.front().options) page += option_entry(option);

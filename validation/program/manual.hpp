@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The manual page wetdeck.1, made of the commands and options that the program has.
+// The manual page wetdeck.1, made from the commands and options of the command line.
 #pragma once
 
 #include <string>
@@ -7,6 +7,6 @@
 namespace wetdeck {
 
 /// In roff, for man(1).
-std::string manual_page(const std::string& version);
+std::string manual_page();
 
 }  // namespace wetdeck

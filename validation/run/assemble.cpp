@@ -14,6 +14,8 @@
 #include "solver/probes/pressure.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
+#include "validation/run/recorders.hpp"
+#include "validation/store/environment.hpp"
 
 namespace wetdeck {
 namespace {
@@ -103,15 +105,18 @@ double initial_gauge_pressure(const Scene& scene, Phase phase, Vec2 position) {
 }  // namespace
 
 Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
-    Model model = scene.model;
-    model.threads = threads;
+    const Model& model = scene.model;
     FluidParticles fluid = fill(scene, particle_spacing);
     set_initial_pressure(fluid, model, [&](Phase phase, Vec2 position) {
         return initial_gauge_pressure(scene, phase, position);
     });
     std::vector<RigidBody> bodies;
     for (const BodySpec& spec : scene.bodies) bodies.push_back(spec.body);
-    return {model, std::move(fluid), boundary(scene, particle_spacing), particle_spacing, scene.tank, bodies};
+    Execution execution = scene.execution;
+    execution.threads = threads;
+    execution.instruction_set = instruction_set_from_environment();
+    return Simulation({model, std::move(fluid), boundary(scene, particle_spacing), particle_spacing,
+                       scene.tank, bodies, execution});
 }
 
 void check_spacing(const Scene& scene, double particle_spacing) {

@@ -3,18 +3,22 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <chrono>
 #include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
+#include "solver/scheme_revision.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/field_frame.hpp"
+#include "validation/run/last_good_frame.hpp"
 #include "validation/run/run_state.hpp"
-#include "validation/run/series_keeper.hpp"
 #include "validation/run/stop_signal.hpp"
+#include "validation/run/time_series.hpp"
 #include "validation/run/watchdog.hpp"
+#include "validation/scene/identity.hpp"
+#include "validation/scene/model_keys.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -28,34 +32,26 @@ double processor_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-void record_parameters(RunRecord& record, const Scene& scene, const Simulation& simulation) {
-    const Model& m = simulation.model();
-    auto& p = record.parameters;
-    p["particle_spacing"] = record.particle_spacing;
-    p["smoothing_length"] = simulation.kernel().smoothing_length;
-    p["gravity_x"] = m.gravity.x();
-    p["gravity_y"] = m.gravity.y();
-    p["water.density"] = m.water.eos.reference_density;
-    p["water.sound_speed"] = m.water.eos.sound_speed;
-    p["water.exponent"] = m.water.eos.exponent;
-    p["water.viscosity"] = m.water.viscosity;
-    if (scene.air) {
-        p["air.density"] = m.air.eos.reference_density;
-        p["air.sound_speed"] = m.air.eos.sound_speed;
-        p["air.exponent"] = m.air.eos.exponent;
-        p["air.viscosity"] = m.air.viscosity;
+/// Every model ingredient and number, as the simulation took them.
+void record_parameters(RunRecord& record, Scene scene, const Simulation& simulation) {
+    scene.model = simulation.model();
+    scene.execution = simulation.execution();
+    auto& numbers = record.parameters;
+    for (const auto& [key, value] : parameters_of(scene)) {
+        if (const double* number = std::get_if<double>(&value)) {
+            numbers[key] = *number;
+        } else {
+            record.choices[key] = toml_text(value);
+        }
     }
-    if (scene.air) p["model.air_substeps"] = simulation.model().air_substeps;
-    p["model.background_pressure"] = m.water.eos.background_pressure;
-    p["model.pressure_diffusion"] = m.pressure_diffusion;
-    p["model.dissipation_slope"] = m.dissipation_slope;
-    p["model.air_dissipation"] = m.air_dissipation;
-    p["model.wall_dissipation"] = m.wall_dissipation;
-    p["model.full_cover"] = m.full_cover;
-    p["model.smoothing_ratio"] = m.smoothing_ratio;
-    p["model.courant_number"] = m.courant_number;
-    p["model.skin"] = m.skin;
-    p["run.end_time"] = scene.end_time;
+    numbers["gravity_x"] = scene.model.gravity.x();
+    numbers["gravity_y"] = scene.model.gravity.y();
+    numbers["particle_spacing"] = record.particle_spacing;
+    numbers["smoothing_length"] = simulation.kernel().smoothing_length;
+    numbers["run.end_time"] = scene.end_time;
+    numbers["scheme_revision"] = scheme_revision;
+    record.choices["parameters"] = parameters_json(scene).dump();
+    record.choices["setup_identity"] = setup_identity(scene);
     record.choices["resolved_scene"] = scene.resolved;
     record.choices["air"] = scene.air ? "yes" : "no";
 }
@@ -77,7 +73,7 @@ void record_cost(RunRecord& record, const Simulation& simulation) {
     record.parameters["bytes_per_particle"] = simulation.bytes_per_particle();
 }
 
-/// Who computes: with another program or instruction set the last digits may differ.
+/// The program and instruction set that compute: with others the last digits may differ.
 std::string computed_by(const Provenance& p) {
     return fmt::format("wetdeck {} {}, {}, {}", p.program_version, p.commit, p.compiler, p.simd);
 }
@@ -96,7 +92,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What a checkpoint that is of no use means to a user.
+/// Adds to an error of a checkpoint that the run has to be started again, and how.
 DataError with_way_out(const DataError& error, const std::filesystem::path& run_dir) {
     return DataError(fmt::format("{}; start the run again: wetdeck run ... --replace --out {}", error.what(),
                                  run_dir.string()));
@@ -113,7 +109,7 @@ class Run {
           provenance_(collect_provenance(simulation_.instruction_set(),
                                          static_cast<unsigned>(simulation_.threads()))),
           clock_(options.checkpoint_interval),
-          keeper_(scene, options.particle_spacing, options.directory, from) {
+          series_(scene, options.particle_spacing, options.directory, from) {
         if (from) {
             go_on(*from);
         } else {
@@ -127,10 +123,10 @@ class Run {
         if (const std::optional<Instability> trouble = simulation_.run(end_, observe, watch_bodies(scene_))) {
             record.status = RunStatus::unstable;
             record.stop_reason = trouble->describe();
-            if (fields_->frames().empty() || last_good_.time > fields_->frames().back().time)
-                fields_->write(last_good_);
+            const FieldFrame& last = last_good_.frame();
+            if (fields_->frames().empty() || last.time > fields_->frames().back().time) fields_->write(last);
         }
-        record.series = keeper_.series();
+        record.series = series_.all();
         record.cost.wall_s = wall_before_ + seconds_since(start_);
         record.cost.core_s = core_before_ + processor_seconds() - processor_start_;
         record_cost(record, simulation_);
@@ -143,15 +139,17 @@ class Run {
         check_frames(options_.directory, from, simulation_.time());
         fields_.emplace(options_.directory, simulation_.time());
         next_frame_ = static_cast<std::size_t>(from.number("next_frame"));
-        last_good_ = frame_in(from).x.empty() ? frame_of(simulation_, line()) : frame_in(from);
-        last_good_.provenance = line();
+        FieldFrame last = frame_in(from);
+        if (last.x.empty()) last = frame_of(simulation_, line());
+        last.provenance = line();
+        last_good_.set(std::move(last));
         wall_before_ = from.number("wall_s");
         core_before_ = from.number("core_s");
         if (from.text("computed_by") != computed_by(provenance_))
-            fmt::print(stderr, "wetdeck: the run was begun by {}: the last digits may differ\n",
+            fmt::print(stderr, "wetdeck: the run was started by {}; the last digits may differ\n",
                        from.text("computed_by"));
         provenance_.start_time = from.text("start_time");
-        fmt::print("going on from t = {:.4g} s, step {}\n", simulation_.time(), simulation_.steps());
+        fmt::print("continuing from t = {:.4g} s, step {}\n", simulation_.time(), simulation_.steps());
         clock_.restart(0);
     }
 
@@ -169,8 +167,11 @@ class Run {
         if (end_ < scene_.end_time) record.parameters["run.until"] = end_;
         record.choices["reference_hashes"] =
             reference_hashes(scene_.analysis, reference_directory() / scene_.name());
-        if (!scene_.overrides.empty())
+        if (!scene_.overrides.empty()) {
+            const Scene base = parse_scene(scene_.text, scene_.path, scene_.variant);
+            record.choices["base_setup_identity"] = setup_identity(base);
             record.choices["overrides"] = fmt::format("{}", fmt::join(scene_.overrides, "; "));
+        }
         return record;
     }
 
@@ -182,26 +183,22 @@ class Run {
 
     void observe(Progress& progress) {
         const Simulation& s = simulation_;
-        keeper_.observe(s, s.time() >= end_);
+        series_.sample(s, s.time() >= end_);
         if (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_]) {
             while (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_])
                 ++next_frame_;
             fields_->write(frame_of(s, line()));
         }
-        // what an unstable run leaves behind; more often while the run is young
-        const auto substeps = static_cast<std::uint64_t>(s.model().air_substeps);
-        const std::uint64_t steps_between = std::max<std::uint64_t>(4, 256 / std::bit_ceil(substeps));
-        const bool good =
-            s.steps() % steps_between == 0 || (s.steps() < steps_between && std::has_single_bit(s.steps()));
-        if (good) last_good_ = frame_of(s, line());
-        if (s.steps() % (steps_between / 4) == 0)
+        const bool kept = last_good_.update(s, line());
+        if (s.steps() % (steps_between_ / 4) == 0)
             progress.update(s.time() / end_,
                             fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end_, s.steps()));
         const int signal = s.time() < end_ ? stop_signal() : 0;
-        if (signal != 0 || (good && clock_.due())) write_state();
+        if (signal != 0 || (kept && clock_.due())) write_state();
         if (signal != 0)
-            throw Interrupted(signal, fmt::format(" at t = {:.4g} of {:.4g} s; go on with: wetdeck resume {}",
-                                                  s.time(), end_, options_.directory.string()));
+            throw Interrupted(
+                signal, fmt::format(" at t = {:.4g} of {:.4g} s; continue with: wetdeck resume {}", s.time(),
+                                    end_, options_.directory.string()));
     }
 
     void write_state() {
@@ -210,8 +207,9 @@ class Run {
         checkpoint.step = simulation_.steps();
         save_request(checkpoint, scene_, options_);
         save_simulation(checkpoint, simulation_);
-        keeper_.save(checkpoint);
-        save_frame(checkpoint, last_good_.time < simulation_.time() ? last_good_ : FieldFrame{});
+        series_.save(checkpoint);
+        const FieldFrame& last = last_good_.frame();
+        save_frame(checkpoint, last.time < simulation_.time() ? last : FieldFrame{});
         checkpoint.numbers["frames"] = static_cast<double>(fields_->frames().size());
         checkpoint.numbers["next_frame"] = static_cast<double>(next_frame_);
         checkpoint.numbers["wall_s"] = wall_before_ + seconds_since(start_);
@@ -231,10 +229,11 @@ class Run {
     Simulation simulation_;
     Provenance provenance_;
     CheckpointClock clock_;
-    SeriesKeeper keeper_;
+    TimeSeries series_;
     std::optional<FieldWriter> fields_;
     std::size_t next_frame_ = 0;
-    FieldFrame last_good_;
+    std::uint64_t steps_between_ = steps_between_looks(simulation_, 256, 4);
+    LastGoodFrame last_good_{steps_between_};
 };
 
 }  // namespace
@@ -242,7 +241,7 @@ class Run {
 std::string identity_of(const Scene& scene, const RunOptions& options) {
     return run_identity(
         scene.name(), scene.variant, options.particle_spacing,
-        fmt::format("{}\nuntil = {}", scene.resolved, options.until.value_or(scene.end_time)));
+        fmt::format("{}\nuntil = {}", setup_json(scene).dump(), options.until.value_or(scene.end_time)));
 }
 
 RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress) {
@@ -264,7 +263,7 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
         throw with_way_out(error, folder);
     } catch (const EnvironmentError& error) {
         if (list_checkpoints(folder).empty()) throw;
-        throw EnvironmentError(fmt::format("{}; when that is mended go on with: wetdeck resume {}",
+        throw EnvironmentError(fmt::format("{}; once this is resolved, continue with: wetdeck resume {}",
                                            error.what(), folder.string()));
     }
     std::error_code ignored;
@@ -278,7 +277,7 @@ std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& direct
     try {
         const std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
         if (!checkpoint)
-            throw DataError(fmt::format("{}: holds no checkpoint to go on from", directory.string()));
+            throw DataError(fmt::format("{}: holds no checkpoint to continue from", directory.string()));
         run = {scene_in(*checkpoint), options_in(*checkpoint)};
         run.second.directory = directory;
         if (identity_in(directory) != identity_of(run.first, run.second))

@@ -22,7 +22,7 @@ struct RunOptions {
 };
 
 /// Runs and stores. A run that becomes unstable is stored too, with status and reason, its series and its
-/// last good fields. Where the directory holds a checkpoint of the same run it goes on from there, and ends
+/// last good fields. Where the directory holds a checkpoint of the same run it continues from there and ends
 /// with the same bits. Throws InputError (bad scene, spacing, directory in use), EnvironmentError (disk
 /// full, no permission) and, when a signal came and its checkpoint is written, Interrupted.
 RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress);

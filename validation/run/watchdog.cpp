@@ -37,7 +37,7 @@ std::optional<Instability> find_inside(const std::vector<Hull>& hulls, const Sim
 
 }  // namespace
 
-Simulation::Watch watch_bodies(const Scene& scene) {
+Simulation::StabilityMonitor watch_bodies(const Scene& scene) {
     if (scene.bodies.empty()) return {};
     std::vector<Hull> hulls;
     for (const BodySpec& spec : scene.bodies) {

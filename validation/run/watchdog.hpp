@@ -9,6 +9,6 @@ namespace wetdeck {
 
 /// Finds a fluid particle deeper inside a body of the scene than one spacing, behind two rows of the body's
 /// own particles. Nothing to do where the scene has no bodies.
-Simulation::Watch watch_bodies(const Scene& scene);
+Simulation::StabilityMonitor watch_bodies(const Scene& scene);
 
 }  // namespace wetdeck

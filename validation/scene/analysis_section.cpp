@@ -7,26 +7,13 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/analytic/curves.hpp"
+#include "validation/metrics/quantities.hpp"
 #include "validation/scene/sections.hpp"
 
 namespace wetdeck {
 namespace {
 
-const std::vector<std::string> metric_names = {"mean",
-                                               "standard_deviation",
-                                               "maximum",
-                                               "time_of_maximum",
-                                               "minimum",
-                                               "slope",
-                                               "proportion",
-                                               "first_crossing",
-                                               "value_at",
-                                               "rms_difference",
-                                               "integral",
-                                               "change",
-                                               "first_peak_integral"};
-
-/// A scale or an origin is a name from [scales] or [origins].
+/// A scale or an origin is a name from [scales] or [time_origins].
 double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {
     if (!table.has(key)) return fallback;
     std::vector<std::string> names;
@@ -56,7 +43,7 @@ std::string read_reference(const TomlTable& table, std::string reference) {
 QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const Scales& origins) {
     QuantitySpec q;
     q.name = table.text("name");
-    q.metric = table.choice("metric", metric_names);
+    q.metric = &metric_named(table.choice("metric", metric_names()));
     q.series = table.text("series");
     q.x_scale = scale(table, "x_scale", scales);
     q.x_offset = scale(table, "x_origin", origins, 0);
@@ -71,19 +58,12 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const S
     q.tolerance = table.optional_number("tolerance");
     q.expected_source = table.text_or("expected_source", "");
     if (table.has("expected_kind"))
-        q.expected_kind =
-            table.choice("expected_kind", {"experiment", "peer-simulation", "analytic", "stated"});
+        q.expected_kind = reference_kind_named(table.choice("expected_kind", reference_kind_names()));
     q.expected_uncertainty = table.optional_number("expected_uncertainty");
     if (q.expected_uncertainty && *q.expected_uncertainty < 0)
         table.fail("expected_uncertainty", "expected zero or a positive number");
-    const bool needs_threshold =
-        q.metric == "first_crossing" || q.metric == "value_at" || q.metric == "first_peak_integral";
-    if (needs_threshold && !q.threshold)
-        table.fail("threshold", "missing, the metric " + q.metric + " needs it");
-    const bool needs_reference = q.metric == "rms_difference";
-    if (needs_reference && (q.reference.empty() || q.y_column.empty() || !q.window)) {
-        table.fail("reference", "rms_difference needs reference, y_column and window");
-    }
+    if (const char* key = missing_key(q); key != nullptr)
+        table.fail(key, fmt::format("missing, the metric {} needs it", q.metric->name));
     if (q.expected && !q.tolerance) table.fail("tolerance", "missing beside 'expected'");
     table.finish();
     return q;
@@ -122,22 +102,63 @@ bool of_this_variant(const TomlTable& table, const Scene& scene) {
     return std::find(named.begin(), named.end(), scene.variant) != named.end();
 }
 
+bool is_anchor(const std::string& text) {
+    return !text.empty() &&
+           text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+}
+
+SourceFigure read_source_figure(const TomlTable& table, const std::string& source_of_scene) {
+    SourceFigure figure;
+    figure.number = table.text("number");
+    if (figure.number.empty()) table.fail("number", "expected the number of a figure");
+    figure.shows = table.text("shows");
+    figure.places = table.texts("places");
+    figure.remark = table.text_or("remark", "");
+    figure.source = table.text_or("source", source_of_scene);
+    for (const std::string& place : figure.places) {
+        if (!is_anchor(place))
+            table.fail("places", fmt::format("'{}' is no anchor of the report, expected lower-case letters, "
+                                             "digits and hyphens",
+                                             place));
+    }
+    if (figure.places.empty() && figure.remark.empty()) {
+        const char* expected =
+            "expected a list of anchors of the report, or a remark that says why there is no counterpart";
+        if (table.has("places")) table.fail("places", expected);
+        table.fail_missing("places", expected);
+    }
+    table.finish();
+    return figure;
+}
+
+void read_source_figures(const TomlTable& root, AnalysisSpec& analysis) {
+    std::set<std::pair<std::string, std::string>> known;
+    for (const TomlTable& table : root.tables("source_figures")) {
+        SourceFigure figure = read_source_figure(table, analysis.source);
+        if (!known.emplace(figure.source, figure.number).second)
+            table.fail("number", fmt::format("'{}' is used twice for one source", figure.number));
+        analysis.source_figures.push_back(std::move(figure));
+    }
+}
+
 }  // namespace
 
 void read_analysis(const TomlTable& root, Scene& scene) {
     Scales scales, origins;
-    if (const std::optional<TomlTable> table = root.optional_table("origins")) {
+    if (const std::optional<TomlTable> table = root.optional_table("time_origins")) {
         for (const std::string& name : table->keys()) origins[name] = table->number(name);
     }
     if (const std::optional<TomlTable> table = root.optional_table("scales")) {
         for (const std::string& name : table->keys()) scales[name] = table->positive(name);
     }
     std::vector<std::string> series;
-    for (const ProbeSpec& probe : scene.probes) series.push_back(probe.name);
-    for (const SeriesInfo& info : every_run_series()) series.push_back(info.name);
+    for (const Probe& probe : scene.probes) series.push_back(probe.series.name);
+    for (const FluidSeries& each : every_run_series()) series.push_back(each.info.name);
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-        for (const auto& all : {recorded_body_series(), derived_body_series()})
-            for (const SeriesInfo& info : all) series.push_back(body_series_name(info.name, body));
+        for (const BodySeries& each : recorded_body_series())
+            series.push_back(body_series_name(each.info.name, body));
+        for (const DerivedSeries& each : derived_body_series())
+            series.push_back(body_series_name(each.info.name, body));
     }
     AnalysisSpec& analysis = scene.analysis;
     std::set<std::string> names;
@@ -163,6 +184,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
             {table.text("item"), table.text("source"), table.text("used"), table.text("reason")});
         table.finish();
     }
+    read_source_figures(root, analysis);
     for (const TomlTable& table : root.tables("sensitivity")) {
         const SensitivitySpec spec{table.text("key"), table.number("low"), table.number("high"),
                                    table.positive("uncertainty"), table.text("source")};

@@ -41,6 +41,9 @@ std::vector<fs::path> roots(const char* in_source) {
 fs::path scene_directory() {
     return first_that_exists(roots("validation/scenes"), "scenes");
 }
+fs::path scheme_directory() {
+    return first_that_exists(roots("validation/schemes"), "schemes");
+}
 fs::path reference_directory() {
     return first_that_exists(roots("reference_data"), "reference data");
 }

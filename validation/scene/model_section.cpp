@@ -1,50 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Materials and model ingredients: names in the file to choices of the solver. Defaults live in
-// solver/physics/model.hpp.
+// Materials and model of a scene. The keys of the model are the rows of model_keys.cpp; their defaults are
+// those of solver/physics/model.hpp.
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "validation/scene/model_keys.hpp"
 #include "validation/scene/sections.hpp"
 
 namespace wetdeck {
 namespace {
 
 constexpr double atmospheric_pressure = 101325;  // [Pa]
-
-template <class Enum>
-struct Name {
-    const char* name;
-    Enum value;
-};
-
-template <class Enum, std::size_t count>
-Enum named(const TomlTable& table, const std::string& key, Enum fallback, const Name<Enum> (&names)[count]) {
-    if (!table.has(key)) return fallback;
-    std::vector<std::string> all;
-    for (const auto& entry : names) all.emplace_back(entry.name);
-    const std::string chosen = table.choice(key, all);
-    for (const auto& entry : names) {
-        if (chosen == entry.name) return entry.value;
-    }
-    return fallback;
-}
-
-constexpr Name<Mean> means[] = {{"arithmetic", Mean::arithmetic},
-                                {"density-weighted", Mean::density_weighted},
-                                {"impedance-weighted", Mean::impedance_weighted},
-                                {"harmonic", Mean::harmonic}};
-constexpr Name<Dissipation> dissipations[] = {{"none", Dissipation::none},
-                                              {"riemann", Dissipation::riemann},
-                                              {"low-dissipation", Dissipation::low_dissipation}};
-constexpr Name<Viscosity> viscosities[] = {
-    {"none", Viscosity::none}, {"approaching", Viscosity::approaching}, {"symmetric", Viscosity::symmetric}};
-constexpr Name<WallPressure> wall_pressures[] = {{"one-sided", WallPressure::one_sided},
-                                                 {"shepard", WallPressure::shepard},
-                                                 {"shepard-water", WallPressure::shepard_water}};
-constexpr Name<WallVelocity> wall_velocities[] = {{"normal", WallVelocity::normal},
-                                                  {"mirrored", WallVelocity::mirrored}};
-constexpr Name<WallSlip> slips[] = {{"free", WallSlip::free}, {"no", WallSlip::no}};
 
 Material read_material(const TomlTable& table) {
     Material material;
@@ -55,23 +22,40 @@ Material read_material(const TomlTable& table) {
     return material;
 }
 
-double air_sound_speed(const TomlTable& air, const Material& material, const Material& water) {
-    const std::string law = air.choice("law", {"equal-coefficient", "physical", "sound-speed"});
-    const std::optional<double> given = air.optional_number("sound_speed");
-    const double density = material.eos.reference_density, exponent = material.eos.exponent;
-    if (law == "equal-coefficient") return equal_coefficient_sound_speed(water.eos, density, exponent);
-    if (law == "physical") return std::sqrt(exponent * atmospheric_pressure / density);
-    if (!given || *given <= 0) air.fail("sound_speed", "the law 'sound-speed' needs a positive number [m/s]");
-    return *given;
+/// Defaults that depend on whether there is air.
+void set_defaults(Scene& scene) {
+    scene.model.negative_pressure = scene.air;
+    scene.model.air_substeps = 0;
+    scene.execution.skin = (scene.air ? 1 : 2) * Execution{}.skin;
 }
 
-double share(const TomlTable& table, const std::string& key, double fallback) {
-    const double value = table.number_or(key, fallback);
-    if (!(value >= 0)) table.fail(key, fmt::format("is {}, expected zero or a positive number", value));
-    return value;
+/// Choices that contradict each other.
+void check_choices(const TomlTable& model, const Scene& scene) {
+    const Model& m = scene.model;
+    if (m.air_substeps > 1 && m.dissipation_switch)
+        model.fail("air_substeps",
+                   fmt::format("is {}, expected 1 with the dissipation switch", m.air_substeps));
+    if (m.pressure_mean == Mean::harmonic && m.water.eos.background_pressure == 0 && scene.air)
+        model.fail("pressure_mean",
+                   "the harmonic mean needs a positive background_pressure: it is singular at p <= 0");
 }
 
 }  // namespace
+
+void read_air_law(const TomlTable& air, Model& model) {
+    TaitEquationOfState& eos = model.air.eos;
+    const std::string law = air.choice("law", {"equal-coefficient", "physical", "sound-speed"});
+    const std::optional<double> given = air.optional_number("sound_speed");
+    if (law == "equal-coefficient") {
+        eos.sound_speed = equal_coefficient_sound_speed(model.water.eos, eos.reference_density, eos.exponent);
+    } else if (law == "physical") {
+        eos.sound_speed = std::sqrt(eos.exponent * atmospheric_pressure / eos.reference_density);
+    } else {
+        if (!given || *given <= 0)
+            air.fail("sound_speed", "the law 'sound-speed' needs a positive number [m/s]");
+        eos.sound_speed = *given;
+    }
+}
 
 void read_model(const TomlTable& root, Scene& scene) {
     Model& m = scene.model;
@@ -88,50 +72,16 @@ void read_model(const TomlTable& root, Scene& scene) {
     if (scene.air && !air) root.fail("air", "missing: model.air = true needs a table [air]");
     if (air) {
         m.air = read_material(*air);
-        m.air.eos.sound_speed = air_sound_speed(*air, m.air, m.water);
+        read_air_law(*air, m);
     }
-    const double background = share(model, "background_pressure", 0);
-    m.water.eos.background_pressure = m.air.eos.background_pressure = background;
-
-    m.velocity_mean = named(model, "velocity_mean", m.velocity_mean, means);
-    m.pressure_mean = named(model, "pressure_mean", m.pressure_mean, means);
-    m.pressure_diffusion = share(model, "pressure_diffusion", m.pressure_diffusion);
-    m.hydrostatic_correction = model.boolean_or("hydrostatic_correction", m.hydrostatic_correction);
-    m.dissipation = named(model, "dissipation", m.dissipation, dissipations);
-    m.dissipation_slope = share(model, "dissipation_slope", m.dissipation_slope);
-    m.air_dissipation = share(model, "air_dissipation", m.air_dissipation);
-    m.viscosity = named(model, "viscosity", m.viscosity, viscosities);
-    m.dissipation_switch = model.boolean_or("dissipation_switch", m.dissipation_switch);
-    m.wall_pressure = named(model, "wall_pressure", m.wall_pressure, wall_pressures);
-    m.wall_velocity = named(model, "wall_velocity", m.wall_velocity, wall_velocities);
-    m.wall_dissipation = share(model, "wall_dissipation", m.wall_dissipation);
-    m.wall_slip = named(model, "wall_slip", m.wall_slip, slips);
-    m.sponge_thickness = share(model, "sponge_thickness", m.sponge_thickness);
-    m.tension = model.boolean_or("tension", scene.air);
-    m.full_cover = share(model, "full_cover", m.full_cover);
-    if (m.full_cover > 1) model.fail("full_cover", fmt::format("is {}, expected 0 to 1", m.full_cover));
-    m.smoothing_ratio = model.number_or("smoothing_ratio", m.smoothing_ratio);
-    if (!(m.smoothing_ratio >= 1 && m.smoothing_ratio <= 3)) {
-        model.fail("smoothing_ratio", fmt::format("is {}, expected 1 to 3", m.smoothing_ratio));
-    }
-    m.courant_number = model.number_or("courant_number", m.courant_number);
-    if (!(m.courant_number > 0 && m.courant_number <= 2)) {
-        model.fail("courant_number", fmt::format("is {}, expected above 0 and at most 2", m.courant_number));
-    }
-    const double substeps = model.number_or("air_substeps", 0);
-    if (substeps != 0 && !(substeps > 0 && substeps < 100 && std::fmod(substeps, 2) == 1))
-        model.fail("air_substeps", fmt::format("is {}, expected an odd number up to 99, or 0", substeps));
-    m.air_substeps = static_cast<int>(substeps);
-    if (substeps > 1 && m.dissipation_switch)
-        model.fail("air_substeps", fmt::format("is {}, expected 1 with the dissipation switch", substeps));
-    m.skin = model.number_or("skin", scene.air ? m.skin : 2 * m.skin);
-    if (!(m.skin >= 0.05 && m.skin <= 1))
-        model.fail("skin", fmt::format("is {}, expected 0.05 to 1", m.skin));
+    set_defaults(scene);
+    read_model_keys(model, "model", scene);
     model.finish();
-    if (m.pressure_mean == Mean::harmonic && background == 0 && scene.air) {
-        model.fail("pressure_mean",
-                   "the harmonic mean needs a positive background_pressure: it is singular at p <= 0");
+    if (const std::optional<TomlTable> execution = root.optional_table("execution")) {
+        read_model_keys(*execution, "execution", scene);
+        execution->finish();
     }
+    check_choices(model, scene);
 }
 
 }  // namespace wetdeck

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include "solver/core/errors.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/scene/outline_file.hpp"
+#include "validation/scene/schemes.hpp"
 #include "validation/scene/sections.hpp"
 #include "validation/scene/toml_reader.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
 namespace {
@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_scene_file = 1'000'000;  // [bytes]
 
-std::string read_file(const fs::path& path) {
+std::string scene_text(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error))
         throw InputError(fmt::format("{}: no such scene file", path.string()));
@@ -30,11 +30,7 @@ std::string read_file(const fs::path& path) {
         throw InputError(
             fmt::format("{}: larger than {} bytes, not a scene file", path.string(), largest_scene_file));
     }
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in) throw EnvironmentError(fmt::format("{}: cannot be read", path.string()));
-    return text.str();
+    return read_whole_file(path);
 }
 
 /// @param taken  boxes that are filled already
@@ -112,6 +108,29 @@ void read_tiers(const TomlTable& root, Scene& scene) {
     }
 }
 
+/// Keys that had another name in earlier releases. Those of bodies are renamed in each body's table.
+/// @param may_replace  whether entries of the new name are older than those of the old name
+void rename_old_keys(TomlDocument& document, bool may_replace, std::vector<std::string>& notes) {
+    std::vector<std::pair<std::string, std::string>> renamed = {{"model.full_cover", "model.full_kernel_sum"},
+                                                                {"model.tension", "model.negative_pressure"},
+                                                                {"model.skin", "execution.skin"},
+                                                                {"origins", "time_origins"}};
+    for (const std::string& key : document.root().keys())
+        if (key == "body" || key.starts_with("body_"))
+            renamed.emplace_back(key + ".place", key + ".position");
+    for (const auto& [old_key, new_key] : renamed)
+        if (const auto note = document.rename(old_key, new_key, may_replace)) notes.push_back(*note);
+}
+
+/// The scheme that the overrides, the variant or the scene names, or an empty name.
+std::string chosen_scheme(const TomlTable& root, const std::string& variant,
+                          const std::vector<std::string>& overrides) {
+    const std::string overriding = scheme_in(overrides);
+    if (!overriding.empty()) return overriding;
+    const TomlTable table = root.table("variants").table(variant);
+    return table.has("scheme") ? table.text("scheme") : root.text_or("scheme", "");
+}
+
 Scene read_document(TomlDocument document, const std::optional<std::string>& wanted,
                     const std::vector<std::string>& overrides, const std::string& path) {
     Scene scene;
@@ -121,7 +140,9 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
         const TomlTable variants = root.table("variants");
         names = variants.keys();
         for (const std::string& name : names) {
-            scene.variants.push_back({name, variants.table(name).text_or("description", "")});
+            const TomlTable variant = variants.table(name);
+            scene.variants.push_back(
+                {name, variant.text_or("description", ""), variant.text_or("scheme", "")});
         }
         scene.analysis.default_variant = root.choice("default_variant", names);
     }
@@ -130,8 +151,13 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
         throw InputError(fmt::format("{}: no variant '{}', expected one of {}", path, scene.variant,
                                      fmt::join(names, ", ")));
     }
+    rename_old_keys(document, false, scene.notes);
+    const std::string scheme = chosen_scheme(document.root(), scene.variant, overrides);
+    if (!scheme.empty()) document.overlay({"schemes", scheme}, TomlDocument::Overlay::of_existing_tables);
     document.overlay({"variants", scene.variant});
+    rename_old_keys(document, true, scene.notes);
     for (const std::string& assignment : overrides) document.set(assignment);
+    rename_old_keys(document, true, scene.notes);
 
     const TomlTable root = document.root();
     if (root.number("schema") != 1) root.fail("schema", "expected 1");
@@ -142,6 +168,9 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     root.has("default_variant");
     root.has("variants");
     root.has("description");  // of the variant that was laid over the root
+    root.has("scheme");
+    root.has("schemes");
+    scene.analysis.expected_unstable = root.choice("expect", {"stable", "unstable"}, "stable") == "unstable";
 
     const TomlTable tank = root.table("tank");
     const std::vector<double> size = tank.numbers("size", 2);
@@ -167,64 +196,17 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     read_analysis(root, scene);
     root.finish();
     scene.resolved = document.resolved();
+    scene.probe_text = document.array_text("probes", {"note"});
     return scene;
 }
 
 }  // namespace
 
-const std::vector<SeriesInfo>& every_run_series() {
-    static const std::vector<SeriesInfo> series = {
-        {"energy_kinetic", "J/m", "kinetic energy of all fluid"},
-        {"energy_potential", "J/m", "potential energy of all fluid, zero at the tank's corner"},
-        {"energy_compression", "J/m", "elastic energy of all fluid against its reference density"},
-        {"momentum_x", "N s/m", "momentum of all fluid along x"},
-        {"momentum_y", "N s/m", "momentum of all fluid along y"},
-        {"mass", "kg/m", "mass of all fluid"},
-        {"density_error_max", "-", "largest |rho/rho0 - 1| of the water"},
-        {"particles_outside", "-", "fluid particles beyond the tank's faces"},
-        {"time_step", "s", "stable time step of the water"},
-        {"momentum_error", "-",
-         "forces on all fluid less gravity and less the reactions on walls and bodies, over the sum of their "
-         "sizes; "
-         "at every 16th sample"}};
-    return series;
-}
-
-const std::vector<SeriesInfo>& recorded_body_series() {
-    static const std::vector<SeriesInfo> series = {
-        {"body_x", "m", "mass centre"},
-        {"body_y", "m", "mass centre"},
-        {"body_angle", "rad", "counter-clockwise"},
-        {"body_velocity_x", "m/s", "of the mass centre"},
-        {"body_velocity_y", "m/s", "of the mass centre, up"},
-        {"body_angular_velocity", "rad/s", "counter-clockwise"},
-        {"body_impulse_x", "N s/m", "time integral of the fluid's force since the start"},
-        {"body_impulse_y", "N s/m", "time integral of the fluid's force since the start, up"},
-        {"body_angular_impulse", "N s", "time integral of the fluid's torque about the mass centre"},
-        {"body_work", "J/m", "work of the fluid on the body since the start"}};
-    return series;
-}
-
-const std::vector<SeriesInfo>& derived_body_series() {
-    static const std::vector<SeriesInfo> series = {
-        {"body_force_x", "N/m", "force of the fluid"},
-        {"body_force_y", "N/m", "force of the fluid, without weight, up"},
-        {"body_torque", "N", "torque of the fluid about the mass centre"},
-        {"body_acceleration_x", "m/s^2", "of the mass centre"},
-        {"body_acceleration_y", "m/s^2", "of the mass centre, up"},
-        {"body_force_y_filtered", "N/m", "force of the fluid, up"},
-        {"body_acceleration_y_filtered", "m/s^2", "of the mass centre, up"}};
-    return series;
-}
-
-std::string body_series_name(const std::string& name, std::size_t body) {
-    return body == 0 ? name : fmt::format("{}_{}", name, body + 1);
-}
-
 Scene parse_scene(const std::string& text, const std::string& path, const std::optional<std::string>& variant,
                   const std::vector<std::string>& overrides) {
-    Scene scene = read_document(TomlDocument(text, path), variant, overrides, path);
-    scene.text = text;
+    const std::string complete = with_schemes(text, path, overrides);
+    Scene scene = read_document(TomlDocument(complete, path), variant, overrides, path);
+    scene.text = complete;
     scene.path = path;
     scene.analysis.folder = fs::path(path).parent_path();
     scene.overrides = overrides;
@@ -233,7 +215,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::o
 
 Scene read_scene(const fs::path& path, const std::optional<std::string>& variant,
                  const std::vector<std::string>& overrides) {
-    const std::string text = with_outlines(read_file(path), path);
+    const std::string text = with_outlines(scene_text(path), path);
     Scene scene = parse_scene(text, path.string(), variant, overrides);
     scene.path = fs::absolute(path).lexically_normal().string();  // a report may be made from anywhere
     scene.analysis.folder = fs::path(scene.path).parent_path();

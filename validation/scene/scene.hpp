@@ -9,35 +9,14 @@
 #include <vector>
 
 #include "solver/bodies/rigid_body.hpp"
+#include "solver/core/execution.hpp"
 #include "solver/core/vec2.hpp"
 #include "solver/physics/model.hpp"
 #include "solver/setup/body_outline.hpp"
 #include "validation/metrics/specification.hpp"
+#include "validation/scene/probe.hpp"
 
 namespace wetdeck {
-
-/// What a scene records besides the series of every run and every body.
-struct ProbeSpec {
-    enum class Type {
-        front,          ///< largest x of the water
-        wall_pressure,  ///< disc gauge on a vertical wall
-        water_depth,    ///< depth at x
-        body_pressure,  ///< disc gauge on a face of a body
-        face_pressure,  ///< along a face of a body, by arc length
-        air_film,       ///< gap between a face of a body and the water
-        free_surface    ///< top of the water by x
-    };
-    std::string name;
-    Type type = Type::front;
-    Vec2 centre = Vec2::Zero();                   ///< of a disc [m]; on a body, in the frame of its outline
-    double diameter = 0;                          ///< of a disc [m]
-    double x = 0, width = 0;                      ///< water_depth [m]
-    std::size_t body = 0;                         ///< number of the body
-    Vec2 from = Vec2::Zero(), to = Vec2::Zero();  ///< ends of a face, in the frame of its body's outline [m]
-    double low = 0, high = 0;                     ///< free_surface: range of x [m]
-    std::size_t points = 0;                       ///< of a profile
-    std::string note;
-};
 
 /// A rigid body of a scene: its outline as placed at the start, and its state then.
 struct BodySpec {
@@ -48,6 +27,8 @@ struct BodySpec {
 
     /// A point of the outline's frame in the frame of the mass centre [m].
     Vec2 in_body_frame(Vec2 point) const { return point + origin - body.position; }
+    /// A point of the outline's frame in the scene at the start [m].
+    Vec2 at_start(Vec2 point) const { return body.placed(in_body_frame(point)); }
 };
 
 struct InitialPressure {
@@ -57,26 +38,10 @@ struct InitialPressure {
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
-/// A series that a run records.
-struct SeriesInfo {
-    std::string name;
-    std::string unit;
-    std::string description;
-    std::vector<double> abscissa = {};  ///< of the columns of a profile, empty for a scalar
-};
-
-/// The series of every run, whatever its scene.
-const std::vector<SeriesInfo>& every_run_series();
-/// What is recorded of each body, and what follows from that when the run has ended (mean forces and
-/// accelerations).
-const std::vector<SeriesInfo>& recorded_body_series();
-const std::vector<SeriesInfo>& derived_body_series();
-/// "body_force_y" for the first body, "body_force_y_2" for the second.
-std::string body_series_name(const std::string& name, std::size_t body);
-
 struct VariantInfo {
     std::string name;
     std::string description;
+    std::string scheme;  ///< that it names, or empty
 };
 
 /// Spacings [m] by variant.
@@ -88,12 +53,13 @@ struct Scene {
     std::vector<VariantInfo> variants;
     std::map<std::string, Tier> tiers;
     Model model;
+    Execution execution;
     bool air = true;
     Box tank;
     std::vector<Box> water_boxes, air_boxes;
     std::vector<BodySpec> bodies;
     InitialPressure initial;
-    std::vector<ProbeSpec> probes;
+    std::vector<Probe> probes;
     double end_time = 0;                 ///< [s]
     double sample_interval = 0;          ///< of the probes [s]
     double force_filter = 0;             ///< width of the moving mean of filtered forces [s]
@@ -102,7 +68,9 @@ struct Scene {
     std::string text;                    ///< the file as read, with the outlines that it takes from others
     std::string path;                    ///< where it was read
     std::vector<std::string> overrides;  ///< KEY=VALUE, as given
-    std::string resolved;                ///< the document after variant and --set: what decides a run
+    std::vector<std::string> notes;      ///< on old names of keys, for the user
+    std::string resolved;                ///< the document after scheme, variant and --set
+    std::string probe_text;              ///< the tables of the probes without their notes
 
     const std::string& name() const { return analysis.scene; }
 };
@@ -121,9 +89,10 @@ Scene parse_scene(const std::string& text, const std::string& path,
 std::vector<std::string> scene_names();
 std::filesystem::path find_scene(const std::string& name_or_path);
 
-/// Where installed or source data lie: scenes/ and reference_data/. The environment variable WETDECK_DATA
-/// names another root.
+/// Where installed or source data lie: scenes/, schemes/ and reference_data/. The environment variable
+/// WETDECK_DATA names another root.
 std::filesystem::path scene_directory();
+std::filesystem::path scheme_directory();
 std::filesystem::path reference_directory();
 
 /// Particles, steps and particle-steps that a run at this spacing will take, from the scene alone.

@@ -10,9 +10,17 @@ namespace wetdeck {
 /// Scales by name ("time", "length", "pressure"), as quantities and comparisons refer to them.
 using Scales = std::map<std::string, double>;
 
-/// [water], [air], [model], gravity, tank.slip -> Model.
+/// Two numbers under one key.
+inline Vec2 point(const TomlTable& table, const std::string& key) {
+    const std::vector<double> values = table.numbers(key, 2);
+    return {values[0], values[1]};
+}
+
+/// [water], [air], [model], [execution], gravity -> Model, Execution.
 void read_model(const TomlTable& root, Scene& scene);
-/// [[quantities]], [[compare]], [[deviations]], limits.
+/// The keys `law` and `sound_speed` of [air] -> the air's sound speed.
+void read_air_law(const TomlTable& air, Model& model);
+/// [[quantities]], [[compare]], [[deviations]], [[source_figures]], limits.
 void read_analysis(const TomlTable& root, Scene& scene);
 /// [body], [body_2], ...
 void read_bodies(const TomlTable& root, Scene& scene);

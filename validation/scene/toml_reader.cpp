@@ -248,7 +248,7 @@ TomlDocument::TomlDocument(const std::string& text, const std::string& path)
 TomlDocument::~TomlDocument() = default;
 TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
 
-void TomlDocument::overlay(const std::vector<std::string>& path_to_table) {
+void TomlDocument::overlay(const std::vector<std::string>& path_to_table, Overlay entries) {
     toml::table again = parse(state_->text, *state_->path);
     toml::table* source = &again;
     for (const std::string& key : path_to_table) {
@@ -257,7 +257,77 @@ void TomlDocument::overlay(const std::vector<std::string>& path_to_table) {
             throw InputError(fmt::format("{}: no table '{}'", *state_->path, key));
         source = child->as_table();
     }
-    merge(state_->root, *source);
+    if (entries == Overlay::all) return merge(state_->root, *source);
+    for (auto&& [key, value] : *source) {
+        toml::node* existing = state_->root.get(key.str());
+        if (existing && existing->is_table() && value.is_table())
+            merge(*existing->as_table(), *value.as_table());
+    }
+}
+
+namespace {
+
+/// The table that holds the last key of a dotted path, and that key.
+std::pair<toml::table*, std::string> holder_of(toml::table& root, const std::string& dotted, bool create) {
+    toml::table* table = &root;
+    std::size_t begin = 0;
+    for (std::size_t dot = dotted.find('.'); dot != std::string::npos; dot = dotted.find('.', begin)) {
+        const std::string key = dotted.substr(begin, dot - begin);
+        if (create && !table->contains(key)) table->insert(key, toml::table{});
+        toml::node* child = table->get(key);
+        if (!child || !child->is_table()) return {nullptr, ""};
+        table = child->as_table();
+        begin = dot + 1;
+    }
+    return {table, dotted.substr(begin)};
+}
+
+std::string text_of(const toml::table& table) {
+    std::ostringstream out;
+    out << toml::toml_formatter(table) << '\n';
+    return out.str();
+}
+
+}  // namespace
+
+std::optional<std::string> TomlDocument::rename(const std::string& old_key, const std::string& new_key,
+                                                bool may_replace) {
+    const auto [from, old_name] = holder_of(state_->root, old_key, false);
+    if (!from || !from->contains(old_name)) return std::nullopt;
+    const std::string where = place(*state_->path, from->get(old_name)->source());
+    const auto [to, new_name] = holder_of(state_->root, new_key, true);
+    if (!to || (to->contains(new_name) && !may_replace))
+        throw InputError(
+            fmt::format("{}: key '{}': is called '{}' now, and both are given", where, old_key, new_key));
+    toml::table* const target = to;  // clang 14 cannot capture a structured binding
+    const std::string name = new_name;
+    from->get(old_name)->visit([&](auto& entry) { target->insert_or_assign(name, std::move(entry)); });
+    from->erase(old_name);
+    return fmt::format("{}: key '{}' is called '{}' now; the old name is read for one more release", where,
+                       old_key, new_key);
+}
+
+std::string TomlDocument::nested_in(const std::vector<std::string>& path_to_table) const {
+    toml::table nested = state_->root;
+    for (auto key = path_to_table.rbegin(); key != path_to_table.rend(); ++key) {
+        toml::table outer;
+        outer.insert(*key, std::move(nested));
+        nested = std::move(outer);
+    }
+    return text_of(nested);
+}
+
+std::string TomlDocument::array_text(const std::string& key, const std::vector<std::string>& without) const {
+    const toml::array* array = state_->root.get_as<toml::array>(key);
+    if (!array) return "";
+    std::string all;
+    for (const toml::node& entry : *array) {
+        if (!entry.is_table()) continue;
+        toml::table table = *entry.as_table();
+        for (const std::string& name : without) table.erase(name);
+        all += text_of(table);
+    }
+    return all;
 }
 
 namespace {

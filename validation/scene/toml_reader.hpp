@@ -59,8 +59,20 @@ class TomlDocument {
     ~TomlDocument();
     TomlDocument(TomlDocument&&) noexcept;
 
-    /// Lays the table at the dotted key over the root, entry by entry (a variant over the scene).
-    void overlay(const std::vector<std::string>& path_to_table);
+    /// Which entries of an overlaid table count.
+    enum class Overlay { all, of_existing_tables };
+    /// Lays the table at the dotted key over the root, entry by entry (a variant over the scene). With
+    /// `of_existing_tables`, only those tables in it that the root has (a scheme over the scene).
+    void overlay(const std::vector<std::string>& path_to_table, Overlay entries = Overlay::all);
+    /// Gives the entry of a dotted key its present name. Returns a note on it for the user, or nothing where
+    /// the old name is not used. An entry of the new name is replaced or, if that is not allowed, InputError
+    /// thrown.
+    std::optional<std::string> rename(const std::string& old_key, const std::string& new_key,
+                                      bool may_replace);
+    /// The document as a text in which it stands in the table of that path.
+    std::string nested_in(const std::vector<std::string>& path_to_table) const;
+    /// The entries of an array of tables as text, without the named keys.
+    std::string array_text(const std::string& key, const std::vector<std::string>& without) const;
     /// A text in quotes, on one line, and where it stands in the document [bytes], quotes included.
     struct TextValue {
         std::string key;  ///< dotted
@@ -73,7 +85,7 @@ class TomlDocument {
     /// KEY=VALUE from the command line. The value is TOML; a bare word is taken as text.
     void set(const std::string& assignment);
     TomlTable root() const;
-    /// The document as it stands, sorted by key: what decides a run.
+    /// The document as it stands, sorted by key.
     std::string resolved() const;
 
   private:

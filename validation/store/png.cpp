@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNG (ISO 15948) with colour type 3.
 #include "validation/store/png.hpp"
 
-#include <zlib.h>
+#include <png.h>
 
 #include <limits>
-#include <string_view>
+#include <string>
 #include <unordered_map>
 
 #include "solver/core/errors.hpp"
 
 namespace wetdeck {
 namespace {
-
-using Bytes = std::vector<unsigned char>;
-
-void append_number(Bytes& bytes, std::uint32_t value) {
-    for (const int shift : {24, 16, 8, 0}) bytes.push_back(static_cast<unsigned char>(value >> shift));
-}
-
-void append_chunk(Bytes& file, std::string_view type, const Bytes& data) {
-    append_number(file, static_cast<std::uint32_t>(data.size()));
-    const std::size_t begin = file.size();
-    file.insert(file.end(), type.begin(), type.end());
-    file.insert(file.end(), data.begin(), data.end());
-    const auto length = static_cast<uInt>(file.size() - begin);
-    append_number(file, static_cast<std::uint32_t>(crc32(0, file.data() + begin, length)));
-}
 
 unsigned char nearest(const Rgb& colour, std::span<const Rgb> palette) {
     int least = std::numeric_limits<int>::max();
@@ -44,37 +28,35 @@ unsigned char nearest(const Rgb& colour, std::span<const Rgb> palette) {
     return static_cast<unsigned char>(best);
 }
 
+std::vector<unsigned char> nearest_of_each(std::span<const Rgb> pixels, std::span<const Rgb> palette) {
+    std::unordered_map<std::uint32_t, unsigned char> known;
+    std::vector<unsigned char> indices;
+    indices.reserve(pixels.size());
+    for (const Rgb& p : pixels) {
+        const std::uint32_t code = std::uint32_t{p[0]} << 16 | std::uint32_t{p[1]} << 8 | p[2];
+        const auto [place, is_new] = known.try_emplace(code);
+        if (is_new) place->second = nearest(p, palette);
+        indices.push_back(place->second);
+    }
+    return indices;
+}
+
 }  // namespace
 
 std::vector<unsigned char> encode_png(std::span<const Rgb> pixels, int width, int height,
                                       std::span<const Rgb> palette) {
-    std::unordered_map<std::uint32_t, unsigned char> known;
-    Bytes rows;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (i % static_cast<std::size_t>(width) == 0) rows.push_back(0);  // no filter
-        const Rgb& p = pixels[i];
-        const std::uint32_t code = std::uint32_t{p[0]} << 16 | std::uint32_t{p[1]} << 8 | p[2];
-        const auto [place, is_new] = known.try_emplace(code);
-        if (is_new) place->second = nearest(p, palette);
-        rows.push_back(place->second);
-    }
-    uLongf length = compressBound(static_cast<uLong>(rows.size()));
-    Bytes packed(length);
-    if (compress2(packed.data(), &length, rows.data(), static_cast<uLong>(rows.size()), 9) != Z_OK)
-        throw EnvironmentError("picture: zlib cannot compress it");
-    packed.resize(length);
-
-    Bytes header;
-    append_number(header, static_cast<std::uint32_t>(width));
-    append_number(header, static_cast<std::uint32_t>(height));
-    header.insert(header.end(), {8, 3, 0, 0, 0});  // bits, palette, deflate, filters, not interlaced
-    Bytes colours;
-    for (const Rgb& colour : palette) colours.insert(colours.end(), colour.begin(), colour.end());
-    Bytes file{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    append_chunk(file, "IHDR", header);
-    append_chunk(file, "PLTE", colours);
-    append_chunk(file, "IDAT", packed);
-    append_chunk(file, "IEND", {});
+    const std::vector<unsigned char> indices = nearest_of_each(pixels, palette);
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(width);
+    image.height = static_cast<png_uint_32>(height);
+    image.format = PNG_FORMAT_RGB_COLORMAP;
+    image.colormap_entries = static_cast<png_uint_32>(palette.size());
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+    std::vector<unsigned char> file(size);
+    if (png_image_write_to_memory(&image, file.data(), &size, 0, indices.data(), 0, palette.data()) == 0)
+        throw EnvironmentError(std::string("picture: libpng cannot write it: ") + image.message);
+    file.resize(size);
     return file;
 }
 

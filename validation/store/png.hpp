@@ -12,7 +12,7 @@ namespace wetdeck {
 using Rgb = std::array<std::uint8_t, 3>;
 
 /// Rows from the top, each pixel replaced by the nearest of at most 256 colours. Throws EnvironmentError if
-/// zlib refuses.
+/// libpng refuses.
 std::vector<unsigned char> encode_png(std::span<const Rgb> pixels, int width, int height,
                                       std::span<const Rgb> palette);
 

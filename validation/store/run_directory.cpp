@@ -16,21 +16,12 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/hash.hpp"
 #include "validation/store/live_series.hpp"
 #include "validation/store/run_store.hpp"
 
 namespace wetdeck {
 namespace {
-
-/// FNV-1a, 64 bit: told apart by accident only, not against malice.
-std::uint64_t hash_of(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325U;
-    for (const char letter : text) {
-        hash ^= static_cast<unsigned char>(letter);
-        hash *= 0x100000001b3U;
-    }
-    return hash;
-}
 
 /// Files of a run by name; anything else in the directory belongs to somebody else.
 bool belongs_to_a_run(const std::filesystem::path& path) {
@@ -61,7 +52,7 @@ void remove_run_files(const std::filesystem::path& directory) {
 std::string run_identity(const std::string& scene, const std::string& variant, double particle_spacing,
                          const std::string& resolved_scene) {
     const std::string clear = fmt::format("{} {} dx {}", scene, variant, particle_spacing);
-    return fmt::format("{} {:016x}", clear, hash_of(clear + '\n' + resolved_scene));
+    return fmt::format("{} {:016x}", clear, fnv1a(clear + '\n' + resolved_scene));
 }
 
 std::optional<std::string> identity_in(const std::filesystem::path& directory) {

@@ -53,6 +53,12 @@ struct RunRecord {
     RunCost cost;
 };
 
+/// An entry of the provenance, empty if it is not there.
+inline std::string provenance_of(const RunRecord& record, const std::string& key) {
+    const auto found = record.provenance.find(key);
+    return found == record.provenance.end() ? std::string() : found->second;
+}
+
 /// Whether the run was asked to stop before its scene's end: what it did not get to is no failure of it.
 inline bool stopped_early(const RunRecord& record) {
     return record.parameters.count("run.until") > 0;

@@ -18,24 +18,13 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/hash.hpp"
 
 namespace wetdeck {
 namespace {
 
 constexpr std::string_view mark = "\nwetdeck";
 constexpr std::size_t seal_size = sizeof(std::uint64_t) + mark.size();
-
-/// FNV-1a over words of 64 bits, the last one filled up with zeros, folded so that high bits matter too.
-std::uint64_t checksum_of(std::string_view bytes) {
-    std::uint64_t sum = 0xcbf29ce484222325U;
-    for (std::size_t place = 0; place < bytes.size(); place += sizeof sum) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data() + place, std::min(sizeof word, bytes.size() - place));
-        sum = (sum ^ word) * 0x100000001b3U;
-        sum ^= sum >> 32;
-    }
-    return sum;
-}
 
 void set_timer(decltype(ITIMER_REAL) timer, double seconds) {
     const auto whole = static_cast<time_t>(seconds);
@@ -59,7 +48,7 @@ void limit_child(const ReadingTime& limit) {
 }  // namespace
 
 std::string seal_of(std::string_view bytes) {
-    const std::uint64_t sum = checksum_of(bytes);
+    const std::uint64_t sum = fnv1a_of_words(bytes);
     std::string seal(sizeof sum, '\0');
     std::memcpy(seal.data(), &sum, sizeof sum);
     return seal.append(mark);

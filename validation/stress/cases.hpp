@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "validation/stress/scheme.hpp"
 #include "validation/stress/trial.hpp"
 
 namespace wetdeck::stress {
 
 struct Setting {
     std::string name;
-    std::function<Trial(Scheme)> build;
+    std::function<Trial(const Scheme&)> build;
     bool quick = false;       ///< part of the fast matrix
     std::string beyond = {};  ///< why survival cannot be asked for; empty: the case is sensible
 };

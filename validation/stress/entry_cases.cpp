@@ -9,7 +9,7 @@ namespace wetdeck::stress {
 namespace {
 
 Setting setting(std::string name, const Entry& entry, bool quick = false) {
-    return {std::move(name), [entry](Scheme s) { return trial_of(entry, s); }, quick};
+    return {std::move(name), [entry](const Scheme& s) { return trial_of(entry, s); }, quick};
 }
 
 Setting speed(double metres_per_second) {
@@ -55,7 +55,7 @@ Setting film(double spacings) {
 }
 
 /// The scene sinking_rectangle, of even density: it starts half submerged and turns where it is unstable.
-Trial floating_box(Scheme scheme, double over_water) {
+Trial floating_box(const Scheme& scheme, double over_water) {
     const double mass = 0.5 * over_water, inertia = mass * (1 + 0.25) / 12;
     return trial_of(SceneCase{"sinking_rectangle",
                               "two-phase",
@@ -68,7 +68,7 @@ Trial floating_box(Scheme scheme, double over_water) {
 
 Setting density(double over_water) {
     return {fmt::format("{:g} of the water", over_water),
-            [=](Scheme s) { return floating_box(s, over_water); }, over_water == 20};
+            [=](const Scheme& s) { return floating_box(s, over_water); }, over_water == 20};
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ std::vector<Case> entry_cases() {
              "floating or sinking box, density",
              {density(0.02), density(0.1), density(0.5), density(2), density(20)},
              {{"floating box", "density over that of the water", 0.5, 0.02, 1.1,
-               [](double over_water) { return floating_box(Scheme::standard, over_water); }}}}};
+               [](double over_water) { return floating_box(default_scheme, over_water); }}}}};
 }
 
 }  // namespace wetdeck::stress

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/setup/initial_pressure.hpp"
+#include "validation/scene/schemes.hpp"
 #include "validation/stress/cases.hpp"
 #include "validation/verification/setups.hpp"
 
@@ -16,11 +17,11 @@ using namespace verification;
 constexpr double gravity = 9.81;
 
 /// Jets of unit speed, 0.8 m long, the second shifted sideways.
-Trial jets(Scheme scheme, double mach, double shift, bool air) {
+Trial jets(const Scheme& scheme, double mach, double shift, bool air) {
     constexpr double dx = 0.02, thickness = 0.2, from = 0.1, to = 0.9, half_width = 1.2, half_height = 1;
     Model model = air ? two_phase_model(1 / mach, 10 / mach, 1000 * 0.25 / mach) : water_model(1 / mach);
-    model.tension = air;
-    apply(scheme, model);
+    model.negative_pressure = air;
+    apply_scheme(scheme, model);
     Setup setup(model, {{-half_width, -half_height}, {half_width, half_height}}, dx, true);
     const double first = 0, second = shift;
     setup.fill(Phase::water, {{-to, first}, {-from, first + thickness}});
@@ -39,10 +40,10 @@ Trial jets(Scheme scheme, double mach, double shift, bool air) {
 }
 
 /// Half a metre of water above 0.3 m of air in a closed shaft, air above it.
-Trial falling_column(Scheme scheme, double speed, double air_sound_speed) {
+Trial falling_column(const Scheme& scheme, double speed, double air_sound_speed) {
     constexpr double width = 0.5, bottom = 0.3, top = 0.8, roof = 1.2;
     Model model = two_phase_model(100, air_sound_speed, 2000, gravity);
-    apply(scheme, model);
+    apply_scheme(scheme, model);
     Setup setup(model, {{0, 0}, {width, roof}}, 0.02, true);
     setup.fill(Phase::water, {{0, bottom}, {width, top}});
     setup.fill(Phase::air, {{0, 0}, {width, bottom}});
@@ -57,11 +58,11 @@ struct Levels {
 };
 
 /// A closed tank of 1 m by 0.6 m with water at two levels and hydrostatic pressure.
-Trial tank(Scheme scheme, double dx, Levels levels, Trial (*finish)(const Setup&)) {
+Trial tank(const Scheme& scheme, double dx, Levels levels, Trial (*finish)(const Setup&)) {
     constexpr double width = 1, roof = 0.6;
     const double sound_speed = 10 * std::sqrt(gravity * levels.left);
     Model model = two_phase_model(sound_speed, 5.6 * sound_speed, 500 * levels.left, gravity);
-    apply(scheme, model);
+    apply_scheme(scheme, model);
     Setup setup(model, {{0, 0}, {width, roof}}, dx, true);
     const Box halves[] = {{{0, 0}, {0.5 * width, levels.left}}, {{0.5 * width, 0}, {width, levels.right}}};
     for (const Box& half : halves) setup.fill(Phase::water, half);
@@ -75,12 +76,12 @@ Trial tank(Scheme scheme, double dx, Levels levels, Trial (*finish)(const Setup&
     return finish(setup);
 }
 
-Trial sloshing(Scheme scheme, Levels levels) {
+Trial sloshing(const Scheme& scheme, Levels levels) {
     return tank(scheme, 0.02, levels, [](const Setup& setup) { return Trial{setup.simulate(), 1.5}; });
 }
 
 template <std::uint64_t steps>
-Trial still_water(Scheme scheme) {
+Trial still_water(const Scheme& scheme) {
     return tank(scheme, 0.05, {0.3, 0.3}, [](const Setup& setup) {
         Trial trial{setup.simulate()};
         trial.most_steps = steps;
@@ -89,10 +90,10 @@ Trial still_water(Scheme scheme) {
 }
 
 /// Without the pressure that balances its rotation: it must find it.
-Trial square_patch(Scheme scheme, double end, bool air) {
+Trial square_patch(const Scheme& scheme, double end, bool air) {
     constexpr double side = 1, rotation = 1, dx = 0.04, sound_speed = 10;
     Model model = air ? two_phase_model(sound_speed, 60, 250) : water_model(sound_speed);
-    apply(scheme, model);
+    apply_scheme(scheme, model);
     constexpr double half = 0.5 * side, far = 1.5;
     Setup setup(model, {{-far, -far}, {far, far}}, dx, true);
     setup.fill(Phase::water, {{-half, -half}, {half, half}});
@@ -114,17 +115,18 @@ Trial square_patch(Scheme scheme, double end, bool air) {
 
 std::vector<Case> free_surface_cases() {
     const auto jet = [](std::string name, double mach, double shift, bool air, bool quick = false) {
-        return Setting{std::move(name), [=](Scheme s) { return jets(s, mach, shift, air); }, quick};
+        return Setting{std::move(name), [=](const Scheme& s) { return jets(s, mach, shift, air); }, quick};
     };
     const auto column = [](double speed, double air) {
         return Setting{fmt::format("{:g} m/s on air of {:g} m/s", speed, air),
-                       [=](Scheme s) { return falling_column(s, speed, air); }, speed == 5 && air > 300};
+                       [=](const Scheme& s) { return falling_column(s, speed, air); },
+                       speed == 5 && air > 300};
     };
     const auto slosh = [](std::string name, Levels levels) {
-        return Setting{std::move(name), [=](Scheme s) { return sloshing(s, levels); }};
+        return Setting{std::move(name), [=](const Scheme& s) { return sloshing(s, levels); }};
     };
     const auto patch = [](std::string name, double end, bool air) {
-        return Setting{std::move(name), [=](Scheme s) { return square_patch(s, end, air); }};
+        return Setting{std::move(name), [=](const Scheme& s) { return square_patch(s, end, air); }};
     };
     Setting supersonic = jet("Mach 0.5, no air", 0.5, 0, false);
     supersonic.beyond = "weakly compressible water needs a Mach number well below 0.3";

@@ -17,7 +17,7 @@ Setting density_ratio(double ratio) {
     const double sound_speed = std::max(24.3, 137 * std::sqrt(ratio / 1000));
     scene.overrides.push_back(fmt::format("air.density={}", 1000 / ratio));
     scene.overrides.push_back(fmt::format("air.sound_speed={}", sound_speed));
-    return {fmt::format("{:g}", ratio), [scene](Scheme s) { return trial_of(scene, s); }, ratio == 10};
+    return {fmt::format("{:g}", ratio), [scene](const Scheme& s) { return trial_of(scene, s); }, ratio == 10};
 }
 
 Setting viscosities(double water, double air) {
@@ -25,7 +25,8 @@ Setting viscosities(double water, double air) {
     scene.overrides.push_back("model.viscosity=symmetric");
     scene.overrides.push_back(fmt::format("water.viscosity={}", water));
     scene.overrides.push_back(fmt::format("air.viscosity={}", air));
-    return {fmt::format("{:g} over {:g} Pa s", water, air), [scene](Scheme s) { return trial_of(scene, s); }};
+    return {fmt::format("{:g} over {:g} Pa s", water, air),
+            [scene](const Scheme& s) { return trial_of(scene, s); }};
 }
 
 }  // namespace

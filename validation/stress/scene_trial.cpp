@@ -9,12 +9,14 @@
 
 #include "validation/run/assemble.hpp"
 #include "validation/run/watchdog.hpp"
+#include "validation/scene/schemes.hpp"
 
 namespace wetdeck::stress {
 namespace {
 
-Trial assembled(Scene scene, double particle_spacing, double end, Scheme scheme, const Change& change) {
-    apply(scheme, scene.model);
+Trial assembled(Scene scene, double particle_spacing, double end, const Scheme& scheme,
+                const Change& change) {
+    apply_scheme(scheme, scene.model);
     if (change) change(scene.model);
     return Trial{assemble(scene, particle_spacing, 1), end, watch_bodies(scene)};
 }
@@ -49,7 +51,7 @@ law = "physical"
 boxes = [[0.0, {depth}, {width}, {height}]]
 [body]
 outline = [{corners}]
-place = [{middle}, {place}]
+position = [{middle}, {keel}]
 free = {free}
 mass = {mass}
 velocity_y = {velocity}
@@ -57,18 +59,25 @@ velocity_y = {velocity}
                        fmt::arg("width", e.tank[0]), fmt::arg("height", e.tank[1]),
                        fmt::arg("depth", e.depth), fmt::arg("background", e.background_pressure),
                        fmt::arg("sound_speed", e.sound_speed), fmt::arg("corners", corners),
-                       fmt::arg("middle", 0.5 * e.tank[0]), fmt::arg("place", e.depth + e.gap),
+                       fmt::arg("middle", 0.5 * e.tank[0]), fmt::arg("keel", e.depth + e.gap),
                        fmt::arg("free", e.mass > 0 ? "['y']" : "[]"), fmt::arg("mass", e.mass),
                        fmt::arg("velocity", -e.speed));
 }
 
+/// The scene's own variant of a scheme, which knows the background pressure that its means need, or the
+/// variant of the case.
+std::string variant_for(const SceneCase& scene, const Scheme& scheme) {
+    if (scheme.empty()) return scene.variant;
+    for (const VariantInfo& variant : read_scene(find_scene(scene.scene)).variants)
+        if (variant.scheme == scheme) return variant.name;
+    return scene.variant;
+}
+
 }  // namespace
 
-Trial trial_of(const SceneCase& scene, Scheme scheme, const Change& change) {
-    // the scene's variant for the paper knows the background pressure that its means need
-    const std::string variant = scheme == Scheme::paper ? "paper" : scene.variant;
-    return assembled(read_scene(find_scene(scene.scene), variant, scene.overrides), scene.particle_spacing,
-                     scene.end, scheme, change);
+Trial trial_of(const SceneCase& scene, const Scheme& scheme, const Change& change) {
+    return assembled(read_scene(find_scene(scene.scene), variant_for(scene, scheme), scene.overrides),
+                     scene.particle_spacing, scene.end, scheme, change);
 }
 
 SceneCase dam_break(double particle_spacing) {
@@ -117,7 +126,7 @@ Entry wedge_entry(double deadrise_degrees) {
     return entry;
 }
 
-Trial trial_of(const Entry& entry, Scheme scheme, const Change& change) {
+Trial trial_of(const Entry& entry, const Scheme& scheme, const Change& change) {
     return assembled(parse_scene(text_of(entry), "entry.toml"), entry.particle_spacing,
                      entry.travel / entry.speed, scheme, change);
 }

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "validation/stress/scheme.hpp"
 #include "validation/stress/trial.hpp"
 
 namespace wetdeck::stress {
@@ -22,7 +21,7 @@ struct SceneCase {
 };
 
 /// @param change  of the model, after the scheme's ingredients
-Trial trial_of(const SceneCase& scene, Scheme scheme, const Change& change = {});
+Trial trial_of(const SceneCase& scene, const Scheme& scheme, const Change& change = {});
 
 /// The dam break of the shipped scene until T = 4.9, twice the time of the first impact, in a tank that all
 /// spacings 0.6 m / n fit.
@@ -57,6 +56,6 @@ struct Entry {
 /// A wedge or, without deadrise, a box, half a metre wide with sides of 0.16 m.
 Entry wedge_entry(double deadrise_degrees);
 
-Trial trial_of(const Entry& entry, Scheme scheme, const Change& change = {});
+Trial trial_of(const Entry& entry, const Scheme& scheme, const Change& change = {});
 
 }  // namespace wetdeck::stress

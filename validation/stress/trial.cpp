@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "solver/probes/energy.hpp"
 #include "validation/run/field_frame.hpp"
+#include "validation/run/last_good_frame.hpp"
 #include "validation/store/raster.hpp"
 
 namespace wetdeck::stress {
@@ -76,7 +76,7 @@ Death death_of(const Simulation& simulation, const Instability& trouble, FieldFr
 std::string Outcome::note() const {
     std::string text;
     if (death) {
-        text = "died " + death->instability.describe();
+        text = "became unstable " + death->instability.describe();
         if (!death->surroundings.empty()) text += "; before that " + death->surroundings;
         text += "; ";
     }
@@ -89,20 +89,17 @@ Outcome run_trial(Trial trial) {
     Outcome outcome;
     const Balance start = balance(s);
     const double energy_before = energy(s, start), scale = energy_scale(s, start);
-    FieldFrame good = frame_of(s, "");
     std::optional<Instability> trouble;
-    // as close where the air takes several steps in one
-    const auto substeps = std::bit_ceil(static_cast<std::uint64_t>(s.model().air_substeps));
-    const std::uint64_t between_frames = std::max<std::uint64_t>(1, steps_between_frames / substeps);
-    const std::uint64_t between_checks = std::max<std::uint64_t>(1, steps_between_checks / substeps);
+    LastGoodFrame last_good(steps_between_looks(s, steps_between_frames));
+    last_good.set(frame_of(s, ""));
+    const std::uint64_t between_checks = steps_between_looks(s, steps_between_checks);
     while (!trouble && s.time() < trial.end && s.steps() < trial.most_steps) {
         trouble = s.step(trial.end - s.time());
         const bool last = s.time() >= trial.end;
         const bool check = s.steps() % between_checks == 0 || last;
         if (!trouble && check && trial.watch) trouble = trial.watch(s);
         if (trouble) break;
-        const bool young = s.steps() < between_frames && std::has_single_bit(s.steps());
-        if (young || s.steps() % between_frames == 0) good = frame_of(s, "");
+        last_good.update(s, "");
         if (!check) continue;
         const Balance b = balance(s);
         outcome.density_error = std::max(outcome.density_error, b.water_density_error);
@@ -110,7 +107,7 @@ Outcome run_trial(Trial trial) {
             outcome.energy_gain = std::max(outcome.energy_gain, (energy(s, b) - energy_before) / scale);
     }
     outcome.steps = s.steps();
-    if (trouble) outcome.death = death_of(s, *trouble, std::move(good));
+    if (trouble) outcome.death = death_of(s, *trouble, last_good.frame());
     return outcome;
 }
 

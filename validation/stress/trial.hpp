@@ -11,11 +11,15 @@
 
 namespace wetdeck::stress {
 
+/// A scheme by its name (validation/schemes/NAME.toml); empty for the default scheme.
+using Scheme = std::string;
+inline const Scheme default_scheme;
+
 /// A simulation ready to run. It ends at a time or after a number of steps, whichever comes first.
 struct Trial {
     Simulation simulation;
     double end = std::numeric_limits<double>::infinity();  ///< [s]
-    Simulation::Watch watch = {};
+    Simulation::StabilityMonitor watch = {};
     std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max();
 };
 

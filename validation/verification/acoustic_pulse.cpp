@@ -138,7 +138,7 @@ void run(Findings& findings) {
             findings.record("peak_" + c.name, resolution,
                             std::abs(peak / (channel.scale() * std::abs(reflection)) - 1));
             const Curve curve = sorted_curve(row);
-            figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 5) + " m", curve);
+            figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 5) + " m", curve});
             figure.exact = {};
             for (const double x : curve.x) {
                 const double d = in.sound_speed * travelled;

@@ -30,7 +30,7 @@ double exact_loss() {
 /// Energy over time of the two blocks, over its start.
 Curve meet(double dx, bool tension, double& momentum) {
     Model model = water_model(sound_speed);
-    model.tension = tension;
+    model.negative_pressure = tension;
     Setup setup(model, {{-1.2 * length, -0.5}, {1.2 * length, height + 0.5}}, dx, false);
     setup.fill(Phase::water, {{-length, 0}, {0, height}});
     setup.fill(Phase::water, {{0, 0}, {length, height}});
@@ -63,7 +63,7 @@ void run(Findings& findings) {
             findings.record(tension ? "energy_loss" : "energy_loss_without_tension", dx / height,
                             std::abs(loss / exact_loss() - 1));
             if (tension) findings.record("momentum", dx / height, momentum);
-            figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 6), std::move(energy));
+            figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 6), std::move(energy)});
         }
         findings.figure(std::move(figure));
     }

@@ -43,7 +43,7 @@ void fly(Findings& findings) {
 
 Simulation basin(double dx, bool held) {
     Model model = water_model(10 * std::sqrt(gravity * depth), gravity);
-    model.tension = false;
+    model.negative_pressure = false;
     Setup setup(model, {{0, 0}, {width, depth + side}}, dx, true);
     setup.fill(Phase::water, {{0, 0}, {width, depth}});
     RigidBody body = half_as_heavy();
@@ -87,7 +87,7 @@ void at_rest(Findings& findings) {
         });
         findings.record("draught", dx / side, std::abs(sum / samples) / dx);
         findings.record("upright", dx / side, std::abs(afloat.bodies().front().angle));
-        figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 5) + " m", std::move(height));
+        figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 5) + " m", std::move(height)});
     }
     findings.figure(std::move(figure));
 }

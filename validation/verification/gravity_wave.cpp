@@ -37,7 +37,7 @@ Simulation tank(bool with_air, double viscosity, double dx) {
     const double wave_speed = std::sqrt(gravity * depth), weight = water_density * gravity * depth;
     Model model = with_air ? two_phase_model(10 * wave_speed, 56 * wave_speed, 0.05 * weight, gravity)
                            : water_model(10 * wave_speed, gravity);
-    model.tension = with_air;
+    model.negative_pressure = with_air;
     if (viscosity > 0) {
         model.viscosity = Viscosity::symmetric;
         model.water.viscosity = viscosity * water_density;
@@ -120,8 +120,7 @@ void run(Findings& findings) {
             findings.record("frequency_" + name, dx / width, std::abs(inviscid.frequency / omega - 1));
             findings.record("decay_" + name, dx / width, std::abs(inviscid.decay) / omega);
             for (double& t : inviscid.amplitude.x) t *= omega / (2 * pi);
-            figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 6) + " m",
-                                         inviscid.amplitude);
+            figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 6) + " m", inviscid.amplitude});
             if (with_air) continue;
             const double viscosity = 0.5 * viscous_share * omega / (wave_number * wave_number);
             const Oscillation viscous = oscillate(tank(false, viscosity, dx), omega, crest_speed);

@@ -115,7 +115,7 @@ struct Oscillation {
 
 Simulation basin(double dx) {
     Model model = water_model(10 * std::sqrt(gravity * depth), gravity);
-    model.tension = false;
+    model.negative_pressure = false;
     Setup setup(model, {{0, 0}, {width, depth + side}}, dx, true);
     setup.fill(Phase::water, {{0, 0}, {width, depth}});
     RigidBody body;
@@ -173,7 +173,7 @@ void run(Findings& findings) {
         }
         findings.record("heave_curve", dx / draught,
                         std::sqrt(squares / static_cast<double>(height.x.size())) / (lift - rest));
-        figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 5) + " m", normal(height));
+        figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 5) + " m", normal(height)});
     }
     findings.figure(std::move(figure));
     const LinearTank coarse(10);

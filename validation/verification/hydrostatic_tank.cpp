@@ -104,8 +104,8 @@ void run(Findings& findings) {
             if (std::abs(p.x - 0.5 * depth) < 0.6 * dx)
                 points.emplace_back((p.pressure - 0.05 * weight) / weight, p.y / depth);
         }
-        profile.computed.emplace_back(label, sorted_curve(points));
-        currents.computed.emplace_back(label, speed);
+        profile.computed.push_back({label, sorted_curve(points)});
+        currents.computed.push_back({label, speed});
     }
     findings.figure(std::move(profile));
     findings.figure(std::move(currents));

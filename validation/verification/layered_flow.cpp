@@ -129,7 +129,7 @@ double interface_stress(const Simulation& simulation) {
     in.wall_force_x = fx.data();
     in.wall_force_y = fy.data();
     in.fixed_walls = 0;  // these walls are meant
-    const PairLoops loops = pair_loops(simulation.model());
+    const PairPasses loops = pair_passes(simulation.model(), simulation.instruction_set());
     loops.accelerations(in);
     loops.body_forces(in);
     double force = 0;
@@ -197,7 +197,7 @@ void run_case(Findings& findings, const Case& c) {
         findings.record("stress_" + c.name, dx / height,
                         std::abs((profile.stress_sum / profile.samples - exact.interface_stress()) /
                                  exact.wall_stress()));
-        figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 6), std::move(line));
+        figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 6), std::move(line)});
     }
     findings.figure(std::move(figure));
 }

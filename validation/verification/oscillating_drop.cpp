@@ -31,7 +31,7 @@ std::vector<double> half_axes(const std::vector<double>& times) {
 
 Simulation drop(double dx) {
     Model model = water_model(sound_speed);
-    model.tension = false;
+    model.negative_pressure = false;
     model.central_frequency = frequency;
     Setup setup(model, {{-2 * radius, -2 * radius}, {2 * radius, 2 * radius}}, dx, false);
     for (double x = -radius + 0.5 * dx; x < radius; x += dx) {
@@ -80,7 +80,7 @@ void run(Findings& findings) {
         findings.record("half_axis", dx / radius, error);
         findings.record("half_axis_order", dx / radius, error);
         figure.exact = {curve.x, exact};
-        figure.computed.emplace_back("dx/R = " + std::to_string(dx).substr(0, 5), std::move(curve));
+        figure.computed.push_back({"dx/R = " + std::to_string(dx).substr(0, 5), std::move(curve)});
     }
     findings.figure(std::move(figure));
 }

@@ -64,7 +64,7 @@ void solver(Findings& findings) {
     for (const bool from_hydrostatic : {false, true}) {
         for (const double dx : findings.levels({1.0 / 20, 1.0 / 40, 1.0 / 80})) {
             Model model = water_model(mach_inverse * wave_speed, gravity);
-            model.tension = false;
+            model.negative_pressure = false;
             Setup setup(model, {{0, 0}, {length + 1, 1.5 * height}}, dx, true);
             setup.fill(Phase::water, {{0, 0}, {length, height}});
             set_initial_pressure(setup.fluid, model, [&](Phase, Vec2 at) {
@@ -94,10 +94,10 @@ void solver(Findings& findings) {
             }
             const double error = std::sqrt(squares / static_cast<double>(sum.size())) / weight;
             findings.record(from_hydrostatic ? "from_hydrostatic" : "from_greco", dx / height, error);
-            figure.computed.emplace_back(
-                (from_hydrostatic ? "from hydrostatic, dx/H = " : "from Greco, dx/H = ") +
-                    std::to_string(dx).substr(0, 6),
-                std::move(bed));
+            figure.computed.push_back(
+                {(from_hydrostatic ? "from hydrostatic, dx/H = " : "from Greco, dx/H = ") +
+                     std::to_string(dx).substr(0, 6),
+                 std::move(bed)});
         }
     }
     findings.figure(std::move(figure));

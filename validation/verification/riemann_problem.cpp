@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/pair_passes.hpp"
 #include "solver/physics/riemann.hpp"
 #include "validation/verification/exact_riemann.hpp"
 #include "validation/verification/problems.hpp"
@@ -35,8 +35,8 @@ Contact solver_contact(const Model& model, const State& left, const State& right
     const PairCoefficients c = pair_coefficients(model, left.phase, right.phase, 1);
     const double jump = left.velocity - right.velocity;
     Contact contact;
-    contact.velocity =
-        left.velocity - velocity_deficit(jump, left.pressure - right.pressure, c.weight_right, c.mobility);
+    contact.velocity = left.velocity - velocity_left_less_star(jump, left.pressure - right.pressure,
+                                                               c.weight_right, c.mobility);
     contact.pressure =
         weighted_pressure(left.pressure, right.pressure, c.pressure_weight_left, c.pressure_weight_right) +
         riemann_dissipation(jump, c.limiter);
@@ -83,7 +83,7 @@ void against_exact(Findings& findings) {
             computed.x.insert(computed.x.begin(), amplitude);
             computed.y.insert(computed.y.begin(), mine.pressure / scale);
         }
-        figure.computed.emplace_back("linearised, of the pair loop", computed);
+        figure.computed.push_back({"linearised, of the pair loop", computed});
         findings.figure(std::move(figure));
     }
 }

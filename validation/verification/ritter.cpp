@@ -32,7 +32,7 @@ void run(Findings& findings) {
     }
     for (const double dx : findings.levels({0.1, 0.05, 0.025})) {
         Model model = water_model(20 * wave_speed, gravity);
-        model.tension = false;
+        model.negative_pressure = false;
         Setup setup(model, {{-reservoir, 0}, {bed, 2 * depth}}, dx, true);
         setup.fill(Phase::water, {{-reservoir, 0}, {0, depth}});
         set_initial_pressure(setup.fluid, model, [](Phase, Vec2 at) {
@@ -57,7 +57,7 @@ void run(Findings& findings) {
                         std::abs(water_depth(simulation, 0, 0.2 * depth) / depth / ritter_depth(0) - 1));
         const double front_speed = (front_position(simulation) - front_before) / (0.25 * time);
         findings.record("front_speed", dx / depth, std::abs(front_speed / (2 * wave_speed) - 1));
-        figure.computed.emplace_back("dx/H = " + std::to_string(dx).substr(0, 5), std::move(profile));
+        figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 5), std::move(profile)});
     }
     findings.figure(std::move(figure));
     findings.note(

@@ -2,6 +2,7 @@
 #include "validation/verification/setups.hpp"
 
 #include "solver/setup/lattice.hpp"
+#include "validation/store/environment.hpp"
 
 namespace wetdeck::verification {
 
@@ -10,7 +11,6 @@ Model water_model(double sound_speed, double gravity) {
     model.water.eos = {water_density, sound_speed, 7, 0};
     model.air.eos = {air_density, sound_speed, 1.4, 0};
     model.gravity = {0, -gravity};
-    model.threads = 1;
     return model;
 }
 
@@ -24,7 +24,9 @@ Model two_phase_model(double water_sound_speed, double air_sound_speed, double b
 }
 
 Setup::Setup(const Model& model_, Box domain_, double particle_spacing_, bool with_walls)
-    : model(model_), particle_spacing(particle_spacing_), domain(domain_) {
+    : SimulationSetup{model_, {}, {}, particle_spacing_, domain_} {
+    execution.threads = 1;
+    execution.instruction_set = instruction_set_from_environment();
     if (with_walls)
         walls = tank_walls(domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing,
                            model.periodic_x);

@@ -12,29 +12,23 @@ namespace wetdeck::verification {
 
 inline constexpr double water_density = 1000, air_density = 1;  // [kg/m^3]
 
-/// Water alone, the scheme's defaults, one thread. Tension is allowed.
+/// Water alone, the scheme's defaults, one thread. Negative pressure is allowed.
 Model water_model(double sound_speed, double gravity = 0);
 
 /// Water and air, the scheme's defaults, one thread.
 Model two_phase_model(double water_sound_speed, double air_sound_speed, double background_pressure,
                       double gravity = 0);
 
-/// Everything a simulation is made of.
-struct Setup {
-    Model model;
-    FluidParticles fluid;
-    WallParticles walls;
-    std::vector<RigidBody> bodies;
-    double particle_spacing = 0;
-    Box domain;
-
+/// What a simulation is made of, on one thread and with the instruction set that WETDECK_SIMD names.
+struct Setup : SimulationSetup {
     /// A tank with walls all around; without them its sides are only where particles are expected.
-    Setup(const Model& model, Box domain, double particle_spacing, bool with_walls);
+    Setup(const Model& model, Box domain, double particle_spacing, bool with_walls = false);
+    /// Adds a box of fluid at its reference density.
     void fill(Phase phase, Box box);
     /// Puts a body where its position says, unturned, and takes away the fluid there. The outline is about
     /// its mass centre.
     void put(const RigidBody& body, const Outline& outline);
-    Simulation simulate() const { return Simulation(model, fluid, walls, particle_spacing, domain, bodies); }
+    Simulation simulate() const { return Simulation(*this); }
 };
 
 /// Uniform numbers that are the same everywhere.

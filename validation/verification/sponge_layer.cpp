@@ -83,8 +83,8 @@ void run(Findings& findings) {
         const Returned open = returned(dx, false), soaked = returned(dx, true);
         findings.record("returned", dx / half_width, std::abs(soaked.share / open.share - 1));
         findings.record("delay", dx / half_width, std::abs((soaked.place - open.place) / detour(dx) - 1));
-        figure.computed.emplace_back("sponge, dx = " + std::to_string(dx).substr(0, 5) + " m",
-                                     soaked.pressure);
+        figure.computed.push_back(
+            {"sponge, dx = " + std::to_string(dx).substr(0, 5) + " m", soaked.pressure});
         finest = dx;
         figure.exact = {};
         for (const double x : soaked.pressure.x) {

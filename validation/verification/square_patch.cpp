@@ -137,12 +137,12 @@ void run(Findings& findings) {
             findings.record("places" + instant.name, dx / side, shape.places);
             findings.record("inertia" + instant.name, dx / side, shape.inertia);
             findings.record("arms" + instant.name, dx / side, shape.arm);
-            instant.figure.computed.emplace_back(label, std::move(shape.outline));
+            instant.figure.computed.push_back({label, std::move(shape.outline)});
         }
         const FluidParticles& f = simulation.fluid();
         findings.record("angular_momentum", dx / side, std::abs(angular_momentum(f) / momentum - 1));
         findings.record("energy", dx / side, std::abs(energy() / start - 1));
-        figure.computed.emplace_back(label, std::move(curve));
+        figure.computed.push_back({label, std::move(curve)});
     }
     for (Instant& instant : instants) findings.figure(std::move(instant.figure));
     findings.figure(std::move(figure));

@@ -129,7 +129,7 @@ void run(Findings& findings) {
             });
             const double rate = -std::log(curve.y.back()) / (2 * curve.x.back());
             findings.record(std::string("decay_") + name, dx, std::abs(rate / (share * exact_rate()) - 1));
-            figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 6), std::move(curve));
+            figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 6), std::move(curve)});
         }
         findings.figure(std::move(figure));
     }

@@ -120,7 +120,7 @@ void run_law(Findings& findings, const Law& law) {
         figure.exact = pressure;
         for (std::size_t k = 0; k < times.size(); ++k)
             figure.exact.y[k] = air_pressure(law, exact[k]) / closest_pressure;
-        figure.computed.emplace_back("dx = " + std::to_string(dx).substr(0, 6) + " m", std::move(pressure));
+        figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 6) + " m", std::move(pressure)});
     }
     findings.figure(std::move(figure));
 }

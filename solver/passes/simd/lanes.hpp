@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/pass_input.hpp"
 #include "solver/passes/simd/pack.hpp"
 
 namespace wetdeck::WETDECK_ISA {
@@ -70,7 +70,7 @@ struct Separation {
     Pack x, y, distance, inverse_distance;
 };
 
-/// A particle meets itself in its own list; the smallest distance keeps 1/r finite there, where all else is
+/// A particle is in its own list; the smallest distance keeps 1/r finite there, where every other factor is
 /// zero.
 template <class Eight>
 WETDECK_INLINE Separation separation(const Eight& i, double x, double y) {
@@ -83,9 +83,9 @@ WETDECK_INLINE Separation separation(const Eight& i, double x, double y) {
     return s;
 }
 
-/// Eight boundary particles, likewise.
+/// Eight boundary particles, one per lane.
 struct WallLanes {
-    Pack x, y, vx, vy, nx, ny, drive_x, drive_y;  ///< drive: acceleration less gravity
+    Pack x, y, vx, vy, nx, ny, relative_x, relative_y;  ///< relative: acceleration less gravity
 };
 
 WETDECK_INLINE WallLanes load(const PassInput& in, const Cluster& cluster) {

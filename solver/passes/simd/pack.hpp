@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight doubles that are computed on together. Included only by the translation units of the pair loop, which
+// Eight doubles that are computed on together. Included only by the translation units of the passes, which
 // are compiled once per instruction set: WETDECK_ISA names the namespace, so that no symbol of one set is
-// linked into another.
+// linked into another. WETDECK_PLAIN_SIMD leaves out the intrinsics of x86 processors.
 #pragma once
 
+#if defined(__AVX512F__) && !defined(WETDECK_PLAIN_SIMD)
+#define WETDECK_AVX512
 #include <immintrin.h>
+#endif
 
 #include <cmath>
 
@@ -59,7 +62,7 @@ WETDECK_INLINE Pack select(Pack::Mask m, Pack a, Pack b) {
     return m.lanes ? a.lanes : b.lanes;
 }
 
-#if defined(__AVX512F__)
+#if defined(WETDECK_AVX512)
 WETDECK_INLINE Pack maximum(Pack a, Pack b) {
     return Pack::Lanes(_mm512_max_pd(__m512d(a.lanes), __m512d(b.lanes)));
 }

@@ -36,7 +36,7 @@ TEST_CASE("Every analytic curve is a reference with the provenance of a file", "
         const Reference* reference = shelf.find(name);
         REQUIRE(reference != nullptr);
         CHECK(reference == shelf.find(name));  // computed once
-        CHECK(reference->kind == "analytic");
+        CHECK(reference->kind == ReferenceKind::analytic);
         CHECK_FALSE(reference->citation.empty());
         CHECK(reference->u_data.has_value());
         CHECK_THAT(reference->keys.at("obtained_from"),

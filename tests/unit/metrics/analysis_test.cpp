@@ -22,12 +22,12 @@ AnalysisSpec scene() {
     spec.error_quantity = "top";
     QuantitySpec top;
     top.name = "top";
-    top.metric = "maximum";
+    top.metric = &metric_named("maximum");
     top.series = "front";
     top.unit = "m";
     QuantitySpec late = top;
     late.name = "late";
-    late.metric = "value_at";
+    late.metric = &metric_named("value_at");
     late.threshold = 99;
     spec.quantities = {top, late};
     ComparisonSpec front;
@@ -185,7 +185,7 @@ TEST_CASE("A peer's curve is as far from the measured one as it was made, and it
     spec.folder = folder;
     QuantitySpec rms;
     rms.name = "rms";
-    rms.metric = "rms_difference";
+    rms.metric = &metric_named("rms_difference");
     rms.series = "gauge";
     rms.reference = "measured";
     rms.y_column = "p";

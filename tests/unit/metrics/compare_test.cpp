@@ -90,7 +90,7 @@ TEST_CASE("A series on its reference is within tolerance and carries the referen
     CHECK(result.time_error.value() == Approx(0).margin(0.005));
     CHECK(result.within);
     CHECK(result.available);
-    CHECK(result.kind == "analytic");
+    CHECK(result.kind == ReferenceKind::analytic);
     CHECK(result.citation == "A bump");
     CHECK(result.reference_uncertainty == 0.02);
     CHECK(result.note.empty());

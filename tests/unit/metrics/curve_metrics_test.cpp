@@ -140,3 +140,14 @@ TEST_CASE("A curve that ends before the window does not count as a spacing", "[c
     CHECK(row.dx == std::vector<double>{0.04, 0.02});
     CHECK(row.verdict == "too few spacings");
 }
+
+TEST_CASE("Differences of curves relate to the range of the finest one", "[curve_convergence]") {
+    CurveConvergenceRow row;
+    row.difference = {0.4, 0.1};
+    row.gci_fine = 0.05;
+    CHECK(relative_differences(row).empty());  // a constant curve has no range
+    CHECK_FALSE(relative_gci(row).has_value());
+    row.range = 2;
+    CHECK(relative_differences(row) == std::vector<double>{0.2, 0.05});
+    CHECK(relative_gci(row) == 0.025);
+}

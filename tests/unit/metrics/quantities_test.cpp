@@ -29,7 +29,7 @@ RunRecord run_with(Function f, double end = 10) {
 QuantitySpec spec_of(const std::string& metric) {
     QuantitySpec spec;
     spec.name = "q";
-    spec.metric = metric;
+    spec.metric = &metric_named(metric);
     spec.series = "p";
     return spec;
 }
@@ -139,6 +139,7 @@ TEST_CASE("A quantity against a reference that is not there is empty and says so
     QuantitySpec spec = spec_of("rms_difference");
     spec.reference = "buchner2002_front";
     spec.y_column = "x_over_h";
+    spec.window = Window{1, 2};
     const QuantityResult result = evaluate(spec, run_with(wave));
     CHECK_FALSE(result.value.has_value());
     CHECK(result.note == "curve not available: no file buchner2002_front.csv");
@@ -184,9 +185,12 @@ TEST_CASE("A quantity is judged only where something is expected and was compute
 }
 
 TEST_CASE("An unknown metric is refused", "[quantities]") {
-    CHECK_THROWS_WITH(evaluate(spec_of("median"), run_with(line)),
-                      Catch::StartsWith("quantity 'q': unknown metric 'median', expected mean, "));
-    CHECK_THROWS_AS(evaluate(spec_of("median"), RunRecord{}), InputError);
+    CHECK_THROWS_WITH(metric_named("median"),
+                      Catch::StartsWith("unknown metric 'median', expected one of mean, "));
+    CHECK_THROWS_AS(metric_named("median"), InputError);
+    QuantitySpec spec = spec_of("mean");
+    spec.metric = nullptr;
+    CHECK_THROWS_WITH(evaluate(spec, run_with(line)), "quantity 'q' has no metric");
 }
 
 TEST_CASE("A metric without the key it needs is refused", "[quantities]") {
@@ -199,4 +203,6 @@ TEST_CASE("A metric without the key it needs is refused", "[quantities]") {
                       "quantity 'q': metric rms_difference needs 'reference'");
     spec.reference = "buchner2002_pressure_digit2";
     CHECK_THROWS_WITH(evaluate(spec, run_with(line)), "quantity 'q': metric rms_difference needs 'y_column'");
+    spec.y_column = "p_star";
+    CHECK_THROWS_WITH(evaluate(spec, run_with(line)), "quantity 'q': metric rms_difference needs 'window'");
 }

@@ -62,7 +62,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST_CASE("A sound reference file is read with its header, columns and units", "[reference]") {
     const Reference reference = load(header + "# licence: free\n" + columns + "0,1\n0.5,-2e3\n");
-    CHECK(reference.kind == "experiment");
+    CHECK(reference.kind == ReferenceKind::experiment);
     CHECK(reference.citation == "Someone (2000)");
     CHECK(reference.u_data == 0.05);
     CHECK(reference.keys.at("licence") == "free");
@@ -82,7 +82,7 @@ TEST_CASE("Files of spreadsheets with a byte order mark and carriage returns are
     std::string text = "\xEF\xBB\xBF" + header + columns + "0,1\n1,2\n";
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) text.insert(at, "\r");
     const Reference reference = load(text);
-    CHECK(reference.kind == "experiment");
+    CHECK(reference.kind == ReferenceKind::experiment);
     CHECK(reference.columns[1].values == std::vector<double>{1, 2});
 }
 

@@ -19,11 +19,11 @@ AnalysisSpec scene() {
     spec.default_variant = "a";
     QuantitySpec peak;
     peak.name = "peak";
-    peak.metric = "maximum";
+    peak.metric = &metric_named("maximum");
     peak.series = "p";
     peak.expected = 10;
     peak.tolerance = 1;
-    peak.expected_kind = "experiment";
+    peak.expected_kind = ReferenceKind::experiment;
     peak.expected_uncertainty = 0.1;
     spec.quantities = {peak};
     return spec;
@@ -133,11 +133,12 @@ TEST_CASE("The verdict says what E and the known uncertainties allow", "[validat
 
 TEST_CASE("Error measures, statements and other simulations are not validated against", "[validation]") {
     AnalysisSpec spec = scene();
-    const char* kind = GENERATE("stated", "peer-simulation", "analytic");
+    const ReferenceKind kind =
+        GENERATE(ReferenceKind::stated, ReferenceKind::peer_simulation, ReferenceKind::analytic);
     spec.quantities[0].expected_kind = kind;
     CHECK(analysed(spec, sweep()).validation.empty());
     spec = scene();
-    spec.quantities[0].metric = "standard_deviation";
+    spec.quantities[0].metric = &metric_named("standard_deviation");
     CHECK(analysed(spec, sweep()).validation.empty());
 }
 
@@ -197,11 +198,11 @@ TEST_CASE("Only the finest sound run of the default variant counts, in SI units"
 TEST_CASE("A pair that cannot count is dropped with the reason", "[statistics]") {
     AnalysisSpec spec = scene();
     const auto dropped = [&] { return analysed(spec, sweep()).scatter.at(0).dropped; };
-    spec.quantities[0].expected_kind = "peer-simulation";
+    spec.quantities[0].expected_kind = ReferenceKind::peer_simulation;
     CHECK(dropped() == "another simulation, no measurement");
-    spec.quantities[0].expected_kind = "";
+    spec.quantities[0].expected_kind = std::nullopt;
     CHECK(dropped() == "the scene does not say what kind the expected value is");
-    spec.quantities[0].expected_kind = "experiment";
+    spec.quantities[0].expected_kind = ReferenceKind::experiment;
     spec.quantities[0].expected = -1;
     CHECK(dropped() == "not positive: no logarithm");
 }

@@ -67,15 +67,15 @@ TEST_CASE("A curve of another shape is noticed although its mean is the same", "
     CHECK_THAT(deviations[0], Catch::Contains("curve front"));
 }
 
-TEST_CASE("A run that is missing or died deviates", "[baseline]") {
+TEST_CASE("A run that is missing or became unstable deviates", "[baseline]") {
     const samples::OwnReferences references;
     const samples::ScratchFolder before, after;
     samples::store_sweep(before);
     write_baseline(before, before / "base.json", false);
     samples::store(after / "runs/a", samples::stored_run(0.02));
-    RunRecord dead = samples::stored_run(0.01);
-    dead.status = RunStatus::unstable;
-    samples::store(after / "runs/b", dead);
+    RunRecord unstable = samples::stored_run(0.01);
+    unstable.status = RunStatus::unstable;
+    samples::store(after / "runs/b", unstable);
     const auto deviations = compare_with_baseline(after, before / "base.json");
     REQUIRE(deviations.size() == 2);
     CHECK(deviations[0] == "small two-phase dx 0.04: missing");

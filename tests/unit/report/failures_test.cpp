@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What failed comes first in the report, and only what failed.
+// Failures come first in the report.
 #include <catch2/catch.hpp>
 
 #include "tests/unit/report/report_samples.hpp"
@@ -28,7 +28,7 @@ TEST_CASE("A complete report says so by not saying incomplete", "[report]") {
     const std::string page = page_of(samples::summary());
     CHECK(contains(page, "<title>wetdeck report, tier quick</title>"));
     CHECK_FALSE(contains(page, "INCOMPLETE"));
-    CHECK(contains(page, "Every run reached its end and everything with a tolerance lies within it."));
+    CHECK(contains(page, "Every run completed, and every value and curve with a tolerance lies within it."));
     CHECK_FALSE(contains(page, "validated"));
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("A missing run is named and marks the title incomplete", "[report]") {
     CHECK_FALSE(contains(between(page, ">Runs</h2>", "<h2"), "tank paper dx 0.005"));  // told once
 }
 
-TEST_CASE("A run that died comes first, with its reason", "[report]") {
+TEST_CASE("A run that became unstable comes first, with its reason", "[report]") {
     Summary summary = samples::summary();
     summary.runs[0].record.status = RunStatus::unstable;
     summary.runs[0].record.stop_reason = "density error 0.3 at t = 0.1 s";
@@ -52,19 +52,36 @@ TEST_CASE("A run that died comes first, with its reason", "[report]") {
     CHECK(contains(failures, "tank<br>single-phase, 0.01 m"));
     CHECK(contains(failures, "density error 0.3 at t = 0.1 s"));
     CHECK(page.find(">Failures</h2>") < page.find(">Runs</h2>"));
-    CHECK(contains(page, "<b>3 of 4</b><span>runs reached their end</span>"));
+    CHECK(contains(page, "<b>3 of 4</b><span>runs completed</span>"));
 }
 
-TEST_CASE("What a run that died lacks is not listed again, and the page says so", "[report]") {
+TEST_CASE("A run that its scene expects to become unstable is no failure", "[report]") {
     Summary summary = samples::summary();
-    RunSummary& dead = summary.runs[0];
-    dead.record.status = RunStatus::unstable;
-    leave_uncomputed(dead, "ended before the window");
-    dead.comparisons[0].within = false;
+    RunSummary& run = summary.runs[0];
+    run.record.status = RunStatus::unstable;
+    run.record.stop_reason = "density error 0.3 at t = 0.1 s";
+    run.expected_unstable = true;
+    const std::string page = page_of(summary);
+    const std::string failures = failures_of(page);
+    CHECK_FALSE(contains(failures, "Runs that became unstable or failed"));
+    CHECK(contains(between(failures, "Runs that became unstable as their scene expects", "</table>"),
+                   "density error 0.3 at t = 0.1 s"));
+    CHECK(contains(failures, "Every other run completed"));
+    CHECK(contains(page, "<b>3 of 3</b><span>runs completed, besides 1 that became unstable as expected"));
+    run.record.status = RunStatus::failed;  // any other end is a failure all the same
+    CHECK(contains(failures_of(page_of(summary)), "Runs that became unstable or failed"));
+}
+
+TEST_CASE("Values that an unstable run lacks are not listed again, and the page says so", "[report]") {
+    Summary summary = samples::summary();
+    RunSummary& unstable = summary.runs[0];
+    unstable.record.status = RunStatus::unstable;
+    leave_uncomputed(unstable, "ended before the window");
+    unstable.comparisons[0].within = false;
     const std::string failures = failures_of(page_of(summary));
     CHECK_FALSE(contains(failures, "ended before the window"));
     CHECK_FALSE(contains(failures, "Outside tolerance"));
-    CHECK(contains(failures, "runs that did not reach their end (1) are not listed again"));
+    CHECK(contains(failures, "runs that became unstable or failed (1) are not listed again"));
 }
 
 TEST_CASE("What a sound run did not reach is listed with the reason", "[report]") {
@@ -82,15 +99,15 @@ TEST_CASE("What a run did not reach that was asked to stop early is no failure",
     for (RunSummary& run : summary.runs) run.record.parameters["run.until"] = 0.5;
     const std::string failures = failures_of(page_of(summary));
     CHECK_FALSE(contains(failures, "not computed"));
-    CHECK(contains(failures, "4 of the runs were asked to stop before their scene"));
+    CHECK(contains(failures, "4 of the runs were stopped on request before the end time of their scene"));
 }
 
-TEST_CASE("A hard case that died shows its picture", "[report]") {
+TEST_CASE("A hard case that became unstable shows its picture", "[report]") {
     Summary summary;
-    summary.stress = {{"column", "10 m/s", false, "died", "stress/column.png"},
-                      {"column", "1 m/s", true, "lives"}};
+    summary.stress = {{"column", "10 m/s", false, "unstable at t = 1 s", "stress/column.png"},
+                      {"column", "1 m/s", true, "stable"}};
     report::ReportInputs inputs = samples::inputs();
-    inputs.deaths["stress/column.png"] = "made-up bytes";
+    inputs.instabilities["stress/column.png"] = "made-up bytes";
     const std::string page = page_of(summary, inputs);
     CHECK(contains(page, "alt=\"column, 10 m/s\""));
     CHECK_FALSE(contains(page, "alt=\"column, 1 m/s\""));
@@ -105,7 +122,7 @@ TEST_CASE("What lies outside tolerance is listed among the failures", "[report]"
     const std::string failures = failures_of(page);
     CHECK(contains(failures, "<td rowspan=\"2\" class=\"name\">tank<br>two-phase, 0.01 m</td>"));
     CHECK(contains(failures, "expected 100\u00a0Pa, made up"));
-    CHECK(contains(failures, "nrmse 0.234"));
+    CHECK(contains(failures, "NRMSE 0.234"));
     CHECK(contains(page, "outside tolerance"));
 }
 
@@ -120,5 +137,5 @@ TEST_CASE("A comparison without a reference file is neither a success nor a fail
     const std::string page = page_of(summary);
     CHECK_FALSE(contains(failures_of(page), "no such file"));
     CHECK(contains(page, "no such file"));
-    CHECK(contains(page, "<b>4 of 4</b><span>reference curves met"));
+    CHECK(contains(page, "<b>4 of 4</b><span>reference curves within tolerance"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One description of a figure, three renderings.
-#include "reports/figure.hpp"
+#include "reports/page/figure.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

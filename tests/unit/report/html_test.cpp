@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Escaping, numbers and tables of the report.
-#include "reports/html.hpp"
+#include "reports/page/html.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
+
+#include "reports/page/strings.hpp"
 
 using namespace wetdeck::report;
 
@@ -79,4 +81,17 @@ TEST_CASE("A cell may span rows", "[report]") {
     table.add({text("2")});
     CHECK(table.html().find("<tr><td rowspan=\"2\">x</td><td>1</td></tr>\n<tr><td>2</td></tr>") !=
           std::string::npos);
+}
+
+TEST_CASE("Numbers from coarse to fine are joined by arrows", "[report]") {
+    CHECK(joined({0.04, 0.02, 0.0123456}, 4) == "0.04 → 0.02 → 0.01235");
+    CHECK(joined({}) == "—");
+}
+
+TEST_CASE("A CSV field stays one field on one line", "[report]") {
+    CHECK(csv_field("plain text") == "plain text");
+    CHECK(csv_field("a,b") == "\"a,b\"");
+    CHECK(csv_field("say \"x\"") == "\"say \"\"x\"\"\"");
+    CHECK(csv_field("#1") == "\"#1\"");
+    CHECK(csv_field("two\nlines") == "two lines");
 }

@@ -9,7 +9,7 @@
 
 namespace wetdeck::samples {
 
-inline ComparisonResult comparison(const std::string& kind, const std::string& reference) {
+inline ComparisonResult comparison(ReferenceKind kind, const std::string& reference) {
     ComparisonResult c;
     c.title = "Pressure against " + reference;
     c.quantity = "pressure_gauge";
@@ -39,8 +39,9 @@ inline RunSummary run(const std::string& variant, double spacing) {
         r.record.series[name] = {"J/m", "", {0, 1, 2}, {1, 2, 3}, {}};
     }
     r.quantities = {{"peak", "Pa", 105.0 + spacing, "", 100.0, 20.0, "made up", true}};
-    r.comparisons = {comparison("experiment", "gauge"), comparison("peer-simulation", "other_code"),
-                     comparison("analytic", "theory")};
+    r.comparisons = {comparison(ReferenceKind::experiment, "gauge"),
+                     comparison(ReferenceKind::peer_simulation, "other_code"),
+                     comparison(ReferenceKind::analytic, "theory")};
     return r;
 }
 

@@ -8,8 +8,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "reports/figure.hpp"
-#include "reports/parts.hpp"
+#include "reports/figures/reference_names.hpp"
+#include "reports/page/figure.hpp"
 #include "solver/core/errors.hpp"
 #include "tests/unit/report/report_samples.hpp"
 
@@ -52,11 +52,11 @@ TEST_CASE("The same inputs give the same bytes, page and figures", "[report]") {
 
 TEST_CASE("Peer simulations have tables of their own and are labelled", "[report]") {
     const std::string page = page_of(samples::summary());
-    const std::string measured = between(page, "Against: measurements</h4>", "<h4>");
+    const std::string measured = between(page, "Compared with measurements</h4>", "<h4>");
     CHECK(contains(measured, "gauge"));
     CHECK_FALSE(contains(measured, "other_code"));
     const std::string peers =
-        between(page, "Against: other simulations (peer simulation, no validation)</h4>", "</table>");
+        between(page, "Compared with other simulations (peer simulations, no validation)</h4>", "</table>");
     CHECK(contains(peers, "other_code"));
     CHECK_FALSE(contains(peers, "gauge"));
     CHECK(contains(page, "other_code (peer simulation)"));
@@ -192,6 +192,8 @@ TEST_CASE("A reference is named by authors and year where its title has them", "
     CHECK(name("Front, WCSPH of a code, H/dx = 400") == "WCSPH of a code, H/dx = 400");
     CHECK(name("Front, Ritter's shallow-water limit: position early, speed late") ==
           "Ritter's shallow-water limit");
+    CHECK(name("Force against the two-dimensional free-fall integration") ==
+          "the two-dimensional free-fall integration");
     CHECK(name("A title so long that it leaves no room for the curves themselves") == "stem");
     CHECK(name("") == "stem");
 }
@@ -205,12 +207,13 @@ TEST_CASE("Other codes are measured against the same records as this program", "
         run.comparisons[1].measured = {{0, 2}, {1.25, 1.25}};                            // 0.25 off
         for (ComparisonResult& c : run.comparisons) c.simulated = {{0, 2}, {1.5, 1.5}};  // 0.5 off
     }
-    const std::string table = between(page_of(summary), "What other codes reach", "</table>");
+    const std::string table =
+        between(page_of(summary), "Other codes against the same measurements", "</table>");
     CHECK(contains(table, ">Pressure against other_code</td><td class=\"number\">0.25</td>"));
     CHECK(contains(table, ">this program, pressure_gauge</td><td class=\"number\">0.5</td>"));
     for (RunSummary& run : summary.runs)
         run.comparisons[1].measured = {{1, 2}, {1, 1}};  // not all of the window
-    CHECK(contains(between(page_of(summary), "What other codes reach", "</table>"),
+    CHECK(contains(between(page_of(summary), "Other codes against the same measurements", "</table>"),
                    ">Pressure against other_code</td><td class=\"number\">—</td>"));
 }
 
@@ -248,6 +251,19 @@ TEST_CASE("Every reference is cited once, with its kind and what is compared wit
     CHECK(contains(between(page, "<h4>References</h4>", "</table>"), "<td>experiment</td><td>unknown</td>"));
 }
 
+TEST_CASE("A changed reference file is counted for the runs that used it", "[report]") {
+    Summary summary = samples::summary();
+    for (RunSummary& run : summary.runs) {
+        run.comparisons[0].reference_hash = "fnv1a64:2";
+        // the single-phase runs were compared with another file alone
+        run.record.choices["reference_hashes"] =
+            run.record.variant == "two-phase" ? "big_gauge fnv1a64:2, gauge fnv1a64:1" : "other fnv1a64:3";
+    }
+    CHECK(contains(page_of(summary), "fnv1a64:2; 2 of the runs used another version</td>"));
+    for (RunSummary& run : summary.runs) run.record.choices["reference_hashes"] = "gauge fnv1a64:2";
+    CHECK_FALSE(contains(page_of(summary), "used another version"));
+}
+
 TEST_CASE("A run without a curve has no figure of references alone", "[report]") {
     Summary summary = samples::summary();
     for (RunSummary& run : summary.runs) {
@@ -265,6 +281,13 @@ TEST_CASE("A summary without runs and scenes still makes a page", "[report]") {
     CHECK(contains(page, "tier unknown"));
 }
 
+TEST_CASE("The title names the tier, or what was run without one", "[report]") {
+    report::ReportInputs inputs = samples::inputs();
+    CHECK(contains(page_of(samples::summary(), inputs), "<title>wetdeck report, tier quick</title>"));
+    inputs.subject = "single runs";
+    CHECK(contains(page_of(samples::summary(), inputs), "<title>wetdeck report, single runs</title>"));
+}
+
 TEST_CASE("A directory that cannot be written is an error of the environment", "[report]") {
     const samples::ScratchFolder folder;
     samples::put_bytes(folder / "file", "x");
@@ -272,7 +295,7 @@ TEST_CASE("A directory that cannot be written is an error of the environment", "
                     EnvironmentError);
 }
 
-TEST_CASE("A report of problems with exact solutions alone says what does not hold, and nothing of runs",
+TEST_CASE("A report of problems with exact solutions alone names criteria that are not met, and no runs",
           "[report]") {
     VerificationProblem problem;
     problem.name = "drop";
@@ -286,15 +309,15 @@ TEST_CASE("A report of problems with exact solutions alone says what does not ho
     Summary summary;
     summary.verification = {problem};
     const std::string page = page_of(summary);
-    CHECK(contains(page, "<b>1 of 2</b><span>claims of problems with exact solutions hold"));
-    CHECK(contains(page, "Claims that do not hold"));
-    CHECK_FALSE(contains(page, "Every run reached its end"));
+    CHECK(contains(page, "<b>1 of 2</b><span>criteria met in problems with exact solutions"));
+    CHECK(contains(page, "Criteria that are not met"));
+    CHECK_FALSE(contains(page, "Every run completed"));
     CHECK_FALSE(contains(page, "There are no runs"));
-    CHECK_FALSE(contains(page, "runs reached their end"));
+    CHECK_FALSE(contains(page, "runs completed"));
 
     Summary with_runs = samples::summary();
     with_runs.verification = {problem};
     const std::string both = page_of(with_runs);
-    CHECK(contains(both, "<b>1 of 2</b><span>claims of problems with exact solutions hold"));
-    CHECK(contains(both, "runs reached their end"));
+    CHECK(contains(both, "<b>1 of 2</b><span>criteria met in problems with exact solutions"));
+    CHECK(contains(both, "runs completed"));
 }

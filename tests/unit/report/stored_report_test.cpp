@@ -106,14 +106,14 @@ TEST_CASE("Ablation and stress results come back as they were written and are sh
     samples::store_sweep(folder);
     write_ablation(folder,
                    {{"small", 0.02, "air", 0.4, 0.03, true}, {"small", 0.02, "switch", 1.0, {}, false}});
-    write_stress(folder, {{"tiny drop", "no dissipation", false, "died at t = 1 s"}});
+    write_stress(folder, {{"tiny drop", "no dissipation", false, "unstable at t = 1 s"}});
     const Summary summary = make_report(folder);
     REQUIRE(summary.ablation.size() == 2);
     CHECK(summary.ablation[0].core_s_ratio == 0.4);
     CHECK_FALSE(summary.ablation[1].error_change.has_value());
     const std::string page = samples::bytes_of(folder / "index.html");
     CHECK(contains(page, "<td class=\"number\">0.4</td><td>+0.03</td>"));
-    CHECK(contains(page, "died at t = 1 s"));
+    CHECK(contains(page, "unstable at t = 1 s"));
     const auto json = nlohmann::json::parse(samples::bytes_of(folder / "summary.json"));
     CHECK(json["ablation"][0]["ingredient"] == "air");
     CHECK(json["ablation"][1]["error_change"].is_null());

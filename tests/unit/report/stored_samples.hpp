@@ -8,7 +8,7 @@
 
 #include "tests/unit/scene/scene_samples.hpp"
 #include "tests/unit/store/store_samples.hpp"
-#include "validation/commands/report_command.hpp"
+#include "validation/commands/stored_report.hpp"
 #include "validation/store/run_store.hpp"
 
 namespace wetdeck::samples {

@@ -12,7 +12,7 @@ TEST_CASE("Fluid deeper in a body than one spacing is found, fluid beside it is 
     const Scene scene = read_scene(find_scene("wedge"));
     const double dx = scene.tiers.at("quick").begin()->second.front();
     Simulation simulation = assemble(scene, dx, 1);
-    const Simulation::Watch watch = watch_bodies(scene);
+    const Simulation::StabilityMonitor watch = watch_bodies(scene);
     REQUIRE(watch);
     for (int n = 0; n < 20; ++n) REQUIRE_FALSE(simulation.step(1));
     REQUIRE_FALSE(watch(simulation));

@@ -20,7 +20,7 @@ std::string with_body(const std::string& outline) {
     return samples::with("[model]",
                          "[body]\nname_of_nothing = 0 # d\xC3\xA9riv\xC3\xA9"
                          "e\n" +
-                             outline + "\nplace = [0.6, 0.3]\nfree = [\"y\"]\nmass = 5.0\n\n[model]");
+                             outline + "\nposition = [0.6, 0.3]\nfree = [\"y\"]\nmass = 5.0\n\n[model]");
 }
 
 std::string body_of(const std::string& outline) {

@@ -13,7 +13,7 @@ namespace {
 /// The small scene with a plate of 0.2 x 0.05 m, 5 kg/m, at rest.
 std::vector<std::string> doubts_of(const std::vector<std::string>& overrides) {
     const std::string plate =
-        "[body]\noutline = [[0.1, 0.3], [0.3, 0.3], [0.3, 0.35], [0.1, 0.35]]\nplace = [0.0, 0.0]\n"
+        "[body]\noutline = [[0.1, 0.3], [0.3, 0.3], [0.3, 0.35], [0.1, 0.35]]\nposition = [0.0, 0.0]\n"
         "free = [\"y\"]\nmass = 5.0\n\n[initial]\n";
     return doubtful(parse_scene(samples::with("[initial]\n", plate), "small.toml", std::nullopt, overrides));
 }

@@ -34,8 +34,10 @@ TEST_CASE("a scene holds what its file says") {
 TEST_CASE("probes, quantities, comparisons and deviations are read with their scales") {
     const Scene scene = read();
     REQUIRE(scene.probes.size() == 3);
-    REQUIRE(scene.probes[1].centre == Vec2(1.0, 0.1));
-    REQUIRE(scene.probes[2].width == 0.08);
+    REQUIRE((scene.probes[1].place->begin - Vec2(1.0, 0.06)).norm() < 1e-12);
+    REQUIRE(scene.probes[1].series.description ==
+            "gauge pressure, chord-weighted mean over a disc of 0.08 m at (1, 0.1) m; ");
+    REQUIRE(scene.probes[2].series.description == "depth of water at x = 0.3 m over a width of 0.08 m");
     const QuantitySpec& quantity = scene.analysis.quantities.at(0);
     REQUIRE(quantity.x_scale == 0.1428);
     REQUIRE(quantity.y_scale == 0.2);
@@ -56,11 +58,11 @@ TEST_CASE("what a scene leaves out of [model] is the solver's default") {
     REQUIRE(scene.model.wall_pressure == usual.wall_pressure);
     REQUIRE(scene.model.smoothing_ratio == usual.smoothing_ratio);
     REQUIRE(scene.model.courant_number == usual.courant_number);
-    REQUIRE(scene.model.tension == usual.tension);
+    REQUIRE(scene.model.negative_pressure == usual.negative_pressure);
     REQUIRE(scene.model.air_substeps == 0);  // as the sound speeds go
-    REQUIRE(scene.model.skin == usual.skin);
-    REQUIRE(read({}, "single-phase").model.skin ==
-            2 * usual.skin);  // few particles move fast where no air is
+    REQUIRE(scene.execution.skin == Execution{}.skin);
+    REQUIRE(read({}, "single-phase").execution.skin ==
+            2 * Execution{}.skin);  // few particles move fast where no air is
 }
 
 TEST_CASE("frames are the listed ones, the start and the end, sorted and once each") {
@@ -93,7 +95,7 @@ TEST_CASE("an override replaces a number, also one that the file leaves out") {
 
 TEST_CASE("an override replaces a boolean") {
     REQUIRE_FALSE(read({"model.air=false"}).air);
-    REQUIRE_FALSE(read({"model.tension=false"}).model.tension);
+    REQUIRE_FALSE(read({"model.negative_pressure=false"}).model.negative_pressure);
 }
 
 TEST_CASE("an override takes a text in quotes and a bare word alike") {

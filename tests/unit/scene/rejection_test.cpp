@@ -191,7 +191,7 @@ TEST_CASE("numbers outside their range are refused with the value") {
                  EndsWith("key 'model.air_substeps': is 2, expected an odd number up to 99, or 0"));
     REQUIRE_THAT(model("air_substeps = 3\ndissipation_switch = true"),
                  EndsWith("key 'model.air_substeps': is 3, expected 1 with the dissipation switch"));
-    REQUIRE_THAT(model("skin = 2.0"), EndsWith("key 'model.skin': is 2, expected 0.05 to 1"));
+    REQUIRE_THAT(model("skin = 2.0"), EndsWith("key 'execution.skin': is 2, expected 0.05 to 1"));
     REQUIRE_THAT(refusal(with_line("[water]", "viscosity = -1.0")),
                  EndsWith("key 'water.viscosity': expected zero or a positive number"));
     REQUIRE_THAT(refusal(with_line("[run]", "frame_interval = 0.0")),
@@ -240,9 +240,10 @@ TEST_CASE("metrics without what they need are refused") {
                  EndsWith("key 'quantities[0].threshold': missing, the metric first_crossing needs it"));
     REQUIRE_THAT(metric("value_at"),
                  EndsWith("key 'quantities[0].threshold': missing, the metric value_at needs it"));
-    REQUIRE_THAT(
-        metric("rms_difference"),
-        EndsWith("key 'quantities[0].reference': rms_difference needs reference, y_column and window"));
+    REQUIRE_THAT(metric("rms_difference"),
+                 EndsWith("key 'quantities[0].reference': missing, the metric rms_difference needs it"));
+    REQUIRE_THAT(metric("rms_difference", "reference = \"nobody_front\""),
+                 EndsWith("key 'quantities[0].y_column': missing, the metric rms_difference needs it"));
     REQUIRE_THAT(metric("mean", "expected = 1.0"),
                  EndsWith("key 'quantities[0].tolerance': missing beside 'expected'"));
 }

@@ -7,6 +7,7 @@
 #include "validation/analytic/curves.hpp"
 #include "validation/metrics/reference.hpp"
 #include "validation/run/assemble.hpp"
+#include "validation/run/recorders.hpp"
 #include "validation/scene/scene.hpp"
 
 using namespace wetdeck;
@@ -89,8 +90,8 @@ TEST_CASE("every quantity and comparison of a shipped scene speaks of a series t
         std::set<std::string> recorded;
         for (const SeriesInfo& recorder : recorders.list()) recorded.insert(recorder.name);
         for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-            for (const SeriesInfo& info : derived_body_series())
-                recorded.insert(body_series_name(info.name, body));
+            for (const DerivedSeries& each : derived_body_series())
+                recorded.insert(body_series_name(each.info.name, body));
         }
         for (const QuantitySpec& q : scene.analysis.quantities) REQUIRE(recorded.count(q.series) == 1);
         for (const ComparisonSpec& c : scene.analysis.comparisons) REQUIRE(recorded.count(c.quantity) == 1);

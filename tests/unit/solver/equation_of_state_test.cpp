@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "solver/passes/pair_loop.hpp"
+#include "solver/passes/pair_passes.hpp"
 #include "tests/support/quadrature.hpp"
 #include "tests/support/samples.hpp"
 
@@ -97,10 +97,10 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
             state[i].vy = -2 * state[i].vx;
         }
         const std::vector<FluidState> before = state;
-        const PairLoops loops = pair_loops(samples::two_phase_model(), name.c_str());
-        DensityBounds bounds;
-        bounds.lowest = lowest;
-        loops.advance_fluid(state.data(), rate.data(), mass.data(), 2, 19, dt, eos, bounds, 1);
+        const PairPasses loops = pair_passes(samples::two_phase_model(), name);
+        DensityUpdate update{rate.data(), mass.data(), 2, 19, dt, eos, {}, 1};
+        update.bounds.lowest = lowest;
+        loops.update_density(state.data(), update);
         for (std::size_t i = 0; i < state.size(); ++i) {
             const bool advanced = i >= 2 && i < 19;
             const double density =

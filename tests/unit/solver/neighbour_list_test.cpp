@@ -40,8 +40,8 @@ struct Listed {
 
     Listed(samples::Setup made, int threads)
         : setup(std::move(made)), list(setup.domain, spacing, support, skin, true) {
-        list.place_fixed(setup.walls);
-        list.build(setup.fluid, setup.walls, pair_loops(setup.model), threads);
+        list.sort_fixed_walls(setup.walls);
+        list.build(setup.fluid, setup.walls, pair_passes(setup.model).filter_near, threads);
     }
 };
 
@@ -56,10 +56,11 @@ std::size_t missing(const Listed& listed, double reach) {
     const WallParticles& walls = listed.setup.walls;
     std::size_t count = 0;
     for (const Cluster& c : listed.list.clusters()) {
-        const std::uint32_t fluid_count = c.fluid_neighbours[0] + c.fluid_neighbours[1];
-        const std::set<std::uint32_t> near(c.neighbours, c.neighbours + fluid_count);
-        const std::set<std::uint32_t> near_walls(c.neighbours + fluid_count,
-                                                 c.neighbours + fluid_count + c.wall_neighbours);
+        const NeighbourBlocks& blocks = listed.list.blocks();
+        std::set<std::uint32_t> near, near_walls;
+        for (std::size_t phase = 0; phase < phase_count; ++phase)
+            for (const std::uint32_t j : fluid_neighbours(blocks, c, phase)) near.insert(j);
+        for (const std::uint32_t w : wall_neighbours(blocks, c)) near_walls.insert(w);
         for (std::uint32_t i = c.first; i < c.first + c.count; ++i) {
             const Vec2 here = fluid.state[i].position();
             for (std::uint32_t j = 0; j < fluid.size(); ++j) {
@@ -77,9 +78,9 @@ std::size_t missing_of_walls(const Listed& listed, double reach) {
     const FluidParticles& fluid = listed.setup.fluid;
     std::set<std::pair<std::uint32_t, std::uint32_t>> near;
     for (const Cluster& c : listed.list.wall_clusters()) {
-        for (std::uint32_t k = 0; k < c.fluid_neighbours[0] + c.fluid_neighbours[1]; ++k) {
-            for (std::uint32_t w = c.first; w < c.first + c.count; ++w) near.emplace(w, c.neighbours[k]);
-        }
+        for (std::size_t phase = 0; phase < phase_count; ++phase)
+            for (const std::uint32_t j : fluid_neighbours(listed.list.blocks(), c, phase))
+                for (std::uint32_t w = c.first; w < c.first + c.count; ++w) near.emplace(w, j);
     }
     std::size_t count = 0;
     for (std::uint32_t w = 0; w < listed.setup.walls.size(); ++w) {
@@ -180,7 +181,7 @@ TEST_CASE("The list says that it is complete as long as it holds every pair in s
 
 TEST_CASE("Far from walls the list outlives any move that all particles share, up to a block",
           "[neighbours]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {2, 2}}};
+    samples::Setup setup(samples::two_phase_model(), Box{{0, 0}, {2, 2}}, spacing);
     fill_box(setup.fluid, Phase::water, {{0.5, 0.5}, {1.5, 1.5}}, spacing, 1000);
     Listed listed(setup, 1);
     CHECK(moved_while_complete(listed, [](Vec2, std::uint32_t) -> Vec2 { return {0.6, -0.8}; }) > 1.4 * skin);
@@ -194,7 +195,7 @@ TEST_CASE("One particle that flies at its neighbours ends the life of the list",
 }
 
 TEST_CASE("A body that comes nearer ends the life of the list", "[neighbours]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {2, 2}}};
+    samples::Setup setup(samples::two_phase_model(), Box{{0, 0}, {2, 2}}, spacing);
     fill_box(setup.fluid, Phase::water, {{0.5, 0.5}, {1.5, 1.0}}, spacing, 1000);
     setup.walls.add_body_point(0, {0, 0}, {0, -1});
     setup.walls.state[0].x = 1;
@@ -222,17 +223,18 @@ TEST_CASE(
         CHECK(c.count <= cluster_width);
         CHECK(c.phase == fluid.phase(c.first));
         CHECK(c.phase == fluid.phase(c.first + c.count - 1));
-        const std::uint32_t fluid_count = c.fluid_neighbours[0] + c.fluid_neighbours[1];
-        const std::set<std::uint32_t> near(c.neighbours, c.neighbours + fluid_count);
-        repeated += fluid_count - near.size();
-        for (std::uint32_t k = 0; k < fluid_count; ++k) {
-            const std::uint32_t j = c.neighbours[k];
-            wrong_kind += fluid.phase(j) != (k < c.fluid_neighbours[0] ? Phase::water : Phase::air);
-            double nearest = 1e300;
-            for (std::uint32_t i = c.first; i < c.first + c.count; ++i) {
-                nearest = std::min(nearest, (fluid.state[i].position() - fluid.state[j].position()).norm());
+        for (std::size_t phase = 0; phase < phase_count; ++phase) {
+            const Neighbours listed_once = fluid_neighbours(listed.list.blocks(), c, phase);
+            const std::set<std::uint32_t> near(listed_once.begin(), listed_once.end());
+            repeated += listed_once.size() - near.size();
+            for (const std::uint32_t j : listed_once) {
+                wrong_kind += fluid.phase(j) != Phase(phase);
+                double nearest = 1e300;
+                for (std::uint32_t i = c.first; i < c.first + c.count; ++i)
+                    nearest =
+                        std::min(nearest, (fluid.state[i].position() - fluid.state[j].position()).norm());
+                too_far += nearest > support + skin + 1e-12;
             }
-            too_far += nearest > support + skin + 1e-12;
         }
     }
     CHECK(particles == fluid.size());
@@ -259,7 +261,7 @@ TEST_CASE("Sorting keeps each particle's state, mass and id together and water b
 }
 
 TEST_CASE("A set of one phase without walls has a list too", "[neighbours]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, Box{{0, 0}, {1, 1}}};
+    samples::Setup setup(samples::two_phase_model(), Box{{0, 0}, {1, 1}}, spacing);
     const Phase phase = GENERATE(Phase::water, Phase::air);
     for (int n = 0; n < 9; ++n) setup.fluid.add(phase, {0.5 + 0.04 * (n % 3), 0.5 + 0.04 * (n / 3)}, 1, 1000);
     const Listed listed(setup, 1);

@@ -5,6 +5,7 @@
 
 #include "solver/physics/model.hpp"
 #include "solver/physics/riemann.hpp"
+#include "tests/support/samples.hpp"
 
 using namespace wetdeck;
 
@@ -93,11 +94,57 @@ TEST_CASE("Stretching along a wall counts from half a spacing on and fades out t
 
 TEST_CASE("The deficit of the left velocity is its share of the jump less what the pressure jump drives",
           "[riemann]") {
-    CHECK(velocity_deficit(4.0, 0.0, 0.25, 1e-4) == Approx(1));
-    CHECK(velocity_deficit(0.0, 100.0, 0.25, 1e-4) == Approx(-0.01));
+    CHECK(velocity_left_less_star(4.0, 0.0, 0.25, 1e-4) == Approx(1));
+    CHECK(velocity_left_less_star(0.0, 100.0, 0.25, 1e-4) == Approx(-0.01));
 }
 
 TEST_CASE("Viscosity on approaching pairs takes the factor 5, on both signs 4", "[viscosity]") {
     CHECK(viscosity_lambda(Viscosity::approaching) == 5);
     CHECK(viscosity_lambda(Viscosity::symmetric) == 4);
+}
+
+TEST_CASE(
+    "A harmonic mean under a guard is 2ab/(a+b) where the signs agree, and what the guard says elsewhere",
+    "[pairs]") {
+    const MeanGuard guard =
+        GENERATE(MeanGuard::division, MeanGuard::same_sign_arithmetic, MeanGuard::same_sign_zero);
+    CHECK(harmonic_mean(1.0, 3.0, guard, 1e-9) == Approx(1.5));
+    CHECK(harmonic_mean(-1.0, -3.0, guard, 1e-9) == Approx(-1.5));
+    CHECK(harmonic_mean_of_pressures(100.0, 300.0, guard, 1e-9) == Approx(150));
+    const bool arithmetic = guard == MeanGuard::same_sign_arithmetic, division = guard == MeanGuard::division;
+    CHECK(harmonic_mean(-1.0, 3.0, guard, 1e-9) == Approx(division ? -3 : arithmetic ? 1 : 0));
+    CHECK(harmonic_mean(0.0, 0.0, guard, 1e-9) == 0);
+    CHECK(harmonic_mean_of_pressures(-100.0, -300.0, guard, 1e-9) == Approx(division     ? -150
+                                                                            : arithmetic ? -200
+                                                                                         : 0));
+    CHECK(harmonic_mean_of_pressures(-100.0, 300.0, guard, 1e-9) == Approx(division     ? -300
+                                                                           : arithmetic ? 100
+                                                                                        : 0));
+}
+
+TEST_CASE("The harmonic mean of velocity vectors is taken by component, worked by hand for one pair",
+          "[pairs]") {
+    // Two particles of water on a line at 45 degrees, r_ij = (-d, -d), velocities (2, 1) and (6, -1): by
+    // component v_bar = (3, 0) under the guard "else zero", so that u_L - v_bar . e = ((2 - 3) + (1 - 0)) /
+    // sqrt(2) = 0, while the harmonic mean of the projections, 3/sqrt(2) and 5/sqrt(2), would give (3
+    // - 3.75)/sqrt(2).
+    Model model = samples::two_phase_model();
+    model.velocity_mean = Mean::harmonic;
+    model.mean_guard = MeanGuard::same_sign_zero;
+    model.gravity = Vec2::Zero();
+    samples::Setup setup(model, {{-1, -1}, {1, 1}}, 0.05);
+    setup.fluid.add(Phase::water, {0, 0}, 2.5, 1000);
+    setup.fluid.add(Phase::water, {0.03, 0.03}, 2.5, 1000);
+    setup.fluid.state[0].vx = 2;
+    setup.fluid.state[0].vy = 1;
+    setup.fluid.state[1].vx = 6;
+    setup.fluid.state[1].vy = -1;
+    const FluidParticles still = setup.simulate().fluid();
+    const double scale =
+        2 * 1000 * 0.0025 * WendlandC2{0.0625}.slope_over_distance(0.03 * std::sqrt(2)) * 0.03;
+    CHECK(std::abs(still.density_rate[0]) < 1e-12 * scale);
+    // another vertical velocity of the second particle: v_bar = (3, 1.5), u_L - v_bar . e = (-1 -
+    // 0.5)/sqrt(2)
+    setup.fluid.state[1].vy = 3;
+    CHECK(setup.simulate().fluid().density_rate[0] == Approx(scale * -1.5));
 }

@@ -23,7 +23,7 @@ double wrapped(double x) {
 samples::Setup channel(double shift, Model model = samples::two_phase_model()) {
     model.periodic_x = true;
     model.gravity = {0.7, -9.81};
-    samples::Setup setup{model, {}, {}, spacing, {{0, 0}, {period, tank_height}}};
+    samples::Setup setup(model, {{0, 0}, {period, tank_height}}, spacing);
     setup.walls = tank_walls(setup.domain, spacing, 2 * model.smoothing_ratio * spacing, model.periodic_x);
     fill_box(setup.fluid, Phase::water, {{0, 0}, {period, 0.3}}, spacing, 1000);
     fill_box(setup.fluid, Phase::air, {{0, 0.3}, {period, tank_height}}, spacing, 1);
@@ -116,7 +116,7 @@ TEST_CASE("A fluid that flows through the seam moves as it does at rest", "[peri
         apart.x() -= period * std::round(apart.x() / period);
         worst = std::max(worst, apart.norm());
         bent = std::max(bent, std::abs(at_rest[i].vy - still.fluid.state[i].vy));
-        CHECK(std::abs(moved[i].x - 0.5 * period) < 0.5 * period + 2 * still.model.skin * spacing);
+        CHECK(std::abs(moved[i].x - 0.5 * period) < 0.5 * period + 2 * still.execution.skin * spacing);
     }
     CHECK(worst < 1e-8 * spacing);
     CHECK(bent > 0.1);  // forces have been at work
@@ -135,7 +135,7 @@ TEST_CASE("A periodic simulation restored between two builds of its list goes on
     std::uint64_t builds = whole.list_builds();
     while (whole.list_builds() == builds) step(whole, 1);
     step(whole, 2);
-    setup.model.threads = 3;
+    setup.execution.threads = 3;
     Simulation parted = setup.simulate();
     parted.restore(whole.state());
     builds = whole.list_builds();
@@ -154,14 +154,11 @@ TEST_CASE("What a periodic domain cannot have is refused", "[periodic]") {
     SECTION("less room than two supports") {
         setup.domain.high.x() = 0.25;
     }
-    std::vector<RigidBody> bodies;
     SECTION("a body") {
-        bodies.resize(1);
-        bodies[0].free = {false, false, false};
+        setup.bodies.resize(1);
+        setup.bodies[0].free = {false, false, false};
     }
-    CHECK_THROWS_AS(
-        Simulation(setup.model, setup.fluid, setup.walls, setup.particle_spacing, setup.domain, bodies),
-        InputError);
+    CHECK_THROWS_AS(setup.simulate(), InputError);
 }
 
 TEST_CASE("Bed and lid of a periodic tank run on beyond its ends", "[periodic]") {

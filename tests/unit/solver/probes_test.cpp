@@ -21,7 +21,7 @@ const Box tank{{0, 0}, {1, 1}};
 /// Water in `region` at a gauge pressure that may depend on the place.
 template <class GaugePressure>
 Simulation water_at(Box region, GaugePressure gauge) {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     fill_box(setup.fluid, Phase::water, region, spacing, 1000);
     set_initial_pressure(setup.fluid, setup.model, [&](Phase, Vec2 at) { return gauge(at); });
     return setup.simulate();
@@ -59,7 +59,7 @@ TEST_CASE("A gauge above the water reads nothing and one half covered reads less
 }
 
 TEST_CASE("A gauge that one particle hardly touches reads its pressure by four times its share", "[probe]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     setup.fluid.add(Phase::water, {0.97, 0.5}, 0.4, 1001);
     const Simulation simulation = setup.simulate();
     const FluidState particle = simulation.fluid().state[0];
@@ -78,14 +78,14 @@ TEST_CASE("A gauge smaller than the particle spacing is refused", "[probe]") {
 }
 
 TEST_CASE("The front is the edge of the outermost water, whatever the air does", "[probe]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     fill_box(setup.fluid, Phase::water, {{0, 0}, {0.4, 0.2}}, spacing, 1000);
     fill_box(setup.fluid, Phase::air, {{0.4, 0}, {1, 0.2}}, spacing, 1);
     CHECK(front_position(setup.simulate()) == Approx(0.4).epsilon(1e-12));
 }
 
 TEST_CASE("Depth is the water's volume over a strip, edges and voids included", "[probe]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     fill_box(setup.fluid, Phase::water, {{0, 0}, {0.4, 0.2}}, spacing, 1000);
     fill_box(setup.fluid, Phase::water, {{0.1, 0.5}, {0.3, 0.6}}, spacing, 1000);
     fill_box(setup.fluid, Phase::air, {{0.4, 0}, {1, 0.2}}, spacing, 1);
@@ -99,7 +99,7 @@ TEST_CASE("Depth is the water's volume over a strip, edges and voids included", 
 TEST_CASE(
     "The surface is the highest water of each column, spray included, and the bottom where there is none",
     "[probe]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     fill_box(setup.fluid, Phase::water, {{0, 0}, {0.5, 0.4}}, spacing, 1000);
     fill_box(setup.fluid, Phase::water, {{0.74, 0.7}, {0.76, 0.72}}, spacing, 1000);  // one drop
     fill_box(setup.fluid, Phase::air, {{0, 0.4}, {0.5, 0.6}}, spacing, 1);
@@ -114,7 +114,7 @@ TEST_CASE(
 TEST_CASE("The gap under a face is that to the nearest water in front of it, however the body is turned",
           "[probe]") {
     constexpr double half_turn = 3.14159265358979323846;
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     fill_box(setup.fluid, Phase::water, {{0, 0}, {1, 0.4}}, spacing, 1000);
     const auto gap_below = [&](double height, double angle, Vec2 from, Vec2 to) {
         RigidBody body;
@@ -122,7 +122,8 @@ TEST_CASE("The gap under a face is that to the nearest water in front of it, how
         body.inertia = 1;
         body.position = {0.5, height + 0.1};
         body.angle = angle;
-        const Simulation simulation(setup.model, setup.fluid, setup.walls, spacing, tank, {body});
+        setup.bodies = {body};
+        const Simulation simulation = setup.simulate();
         return gap_to_water(simulation, 0, from, to);
     };
     const Vec2 low(-0.1, -0.1), high(0.1, -0.1);  // the lower face of a square
@@ -134,7 +135,7 @@ TEST_CASE("The gap under a face is that to the nearest water in front of it, how
 }
 
 TEST_CASE("Balances of two particles are those computed by hand", "[probe]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     setup.fluid.add(Phase::water, {0.2, 0.3}, 4, 1010);
     setup.fluid.add(Phase::air, {0.8, 0.5}, 0.01, 0.9);
     setup.fluid.state[0].vx = 3;
@@ -156,7 +157,7 @@ TEST_CASE("Balances of two particles are those computed by hand", "[probe]") {
 }
 
 TEST_CASE("Particles count as outside beyond a quarter spacing", "[probe]") {
-    samples::Setup setup{samples::two_phase_model(), {}, {}, spacing, tank};
+    samples::Setup setup(samples::two_phase_model(), tank, spacing);
     for (const Vec2& at :
          {Vec2(-0.004, 0.5), Vec2(-0.006, 0.5), Vec2(0.5, 1.1), Vec2(1.006, 0.2), Vec2(0.4, -0.006)}) {
         setup.fluid.add(Phase::water, at, 0.4, 1000);

@@ -23,15 +23,15 @@ RigidBody hull() {
 
 /// As the time loop does it, with constant loads by the fluid and this many short steps in a long one.
 void advance(RigidBody& body, int steps, const BodyLoad& slow = {}, const BodyLoad& fast = {}, int all = 1) {
-    body.load_slow(slow, gravity);
-    body.load_fast(fast, gravity);
+    body.set_slow_load(slow, gravity);
+    body.set_fast_load(fast, gravity);
     for (int n = 0; n < steps; ++n) {
         const bool first = n % all == 0, last = n % all == all - 1;
         body.kick(0.5 * step, first ? all : 0);
         body.drift(0.5 * step);
         body.drift(0.5 * step);
-        if (last) body.load_slow(slow, gravity);
-        body.load_fast(fast, gravity);
+        if (last) body.set_slow_load(slow, gravity);
+        body.set_fast_load(fast, gravity);
         body.kick(0.5 * step, last ? all : 0);
     }
 }
@@ -64,7 +64,7 @@ TEST_CASE("Constant loads give the motion and the impulse of the textbook", "[bo
     CHECK(body.work == Approx(3 * (0.25 + 0.75) + 0.4 * 2.5));
 }
 
-TEST_CASE("A body lighter than the fluid that follows its surface settles on their common motion", "[body]") {
+TEST_CASE("A body lighter than its added mass settles on the motion of both", "[body]") {
     // the wall pressure holds the last acceleration: F = F0 - m a_last
     const double following = 0.2, lift = 3;
     const int substeps = GENERATE(1, 7);  // between which the wall pressure stays as it is
@@ -73,12 +73,12 @@ TEST_CASE("A body lighter than the fluid that follows its surface settles on the
         body.mass = 0.01;
         body.inertia = 1;
         body.free = {false, true, false};
-        body.attached_mass = attached;
+        body.added_mass = attached;
         std::vector<double> all = {0};
         for (int step = 0; step < 420; ++step) {
             if (step % substeps == 0)
-                body.load_slow({{0, lift - following * body.acceleration.y()}, 0}, Vec2::Zero());
-            body.load_fast({}, Vec2::Zero());
+                body.set_slow_load({{0, lift - following * body.acceleration.y()}, 0}, Vec2::Zero());
+            body.set_fast_load({}, Vec2::Zero());
             all.push_back(body.acceleration.y());
         }
         return all;
@@ -99,8 +99,8 @@ TEST_CASE("A body lighter than the fluid that follows its surface settles on the
 
 TEST_CASE("A light body falls freely, exact to rounding, without settling first", "[body]") {
     RigidBody body = hull();
-    body.attached_mass = 100 * body.mass;
-    body.attached_inertia = 100 * body.inertia;
+    body.added_mass = 100 * body.mass;
+    body.added_inertia = 100 * body.inertia;
     body.acceleration = gravity;
     advance(body, 2000);
     CHECK(body.velocity.y() == Approx(-1 + 2 * gravity.y()).epsilon(1e-12));

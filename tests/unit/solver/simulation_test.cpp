@@ -17,7 +17,7 @@ namespace {
 
 /// A disc of water without air or gravity at its reference density, moving as one.
 samples::Setup disc(Vec2 velocity) {
-    samples::Setup setup{two_phase_model(), {}, {}, 0.05, Box{{-1, -1}, {1, 1}}};
+    samples::Setup setup(two_phase_model(), Box{{-1, -1}, {1, 1}}, 0.05);
     setup.model.gravity = Vec2::Zero();
     setup.model.water.eos.background_pressure = 0;
     for (int column = -3; column <= 3; ++column) {
@@ -34,7 +34,7 @@ samples::Setup disc(Vec2 velocity) {
 }  // namespace
 
 TEST_CASE("A simulation without fluid or without a spacing is refused", "[simulation]") {
-    samples::Setup empty{two_phase_model(), {}, {}, 0.05, Box{{0, 0}, {1, 1}}};
+    samples::Setup empty(two_phase_model(), Box{{0, 0}, {1, 1}}, 0.05);
     CHECK_THROWS_AS(empty.simulate(), InputError);
     CHECK_THROWS_WITH(empty.simulate(), Catch::Contains("needs fluid particles"));
     samples::Setup no_spacing = disc({0, 0});
@@ -95,7 +95,7 @@ TEST_CASE("What flies as one keeps its list", "[simulation]") {
 
 TEST_CASE("A particle whose density leaves its range ends the run with its name", "[simulation]") {
     samples::Setup setup = disc({0, 0});
-    setup.model.full_cover = 0;
+    setup.model.full_kernel_sum = 0;
     Simulation simulation = setup.simulate();
     simulation.disturb().state[5].density = 10100;
     const std::uint32_t id = simulation.fluid().id[5];
@@ -141,12 +141,12 @@ TEST_CASE("A velocity that is no number ends the run in the same step", "[simula
 TEST_CASE("Without tension the density of water never falls below its reference", "[simulation]") {
     samples::Setup setup = disc({0, 0});
     for (FluidState& p : setup.fluid.state) p.vx = 2 * p.x / 0.15;  // pulled apart
-    setup.model.tension = GENERATE(true, false);
+    setup.model.negative_pressure = GENERATE(true, false);
     Simulation simulation = setup.simulate();
     for (int n = 0; n < 5; ++n) REQUIRE_FALSE(simulation.step(1));
     double lowest = 1e9;
     for (const FluidState& p : simulation.fluid().state) lowest = std::min(lowest, p.density);
-    if (setup.model.tension) {
+    if (setup.model.negative_pressure) {
         CHECK(lowest < 999);
     } else {
         CHECK(lowest == 1000);
@@ -156,7 +156,7 @@ TEST_CASE("Without tension the density of water never falls below its reference"
 namespace {
 
 /// Largest compression of two blocks that meet at 2 m/s, while their rows are still 1.5 spacings apart.
-double early_compression(double full_cover) {
+double early_compression(double full_kernel_sum) {
     constexpr double dx = 0.01;
     samples::Setup setup = disc({0, 0});
     setup.particle_spacing = dx;
@@ -170,8 +170,8 @@ double early_compression(double full_cover) {
             }
         }
     }
-    setup.model.tension = false;
-    setup.model.full_cover = full_cover;
+    setup.model.negative_pressure = false;
+    setup.model.full_kernel_sum = full_kernel_sum;
     Simulation simulation = setup.simulate();
     while (simulation.time() < 0.15 * dx) REQUIRE_FALSE(simulation.step(0.05 * dx));
     double highest = 0;

@@ -20,7 +20,6 @@ TEST_CASE("The sponge's factor rises from zero at the wall to one beyond the lay
 
 TEST_CASE("Rates vanish at the wall and are left alone beyond the layer", "[sponge]") {
     Model model = samples::two_phase_model();
-    model.threads = 1;
     model.air_substeps = GENERATE(1, 3);
     samples::Setup setup = samples::shaken_tank(model, 5);
     const Simulation without = setup.simulate();

@@ -51,7 +51,8 @@ struct ByHand {
                 const TaitEquationOfState& eos = setup.model.water.eos;
                 const double weight = setup.model.gravity.norm() * setup.particle_spacing;
                 const double open = 1 + weight / (eos.sound_speed * eos.sound_speed);
-                const double filled = 1 + cover_steepness * (all.cover[i] - setup.model.full_cover);
+                const double filled =
+                    1 + kernel_sum_steepness * (all.kernel_sum[i] - setup.model.full_kernel_sum);
                 p.density = std::min(p.density, eos.reference_density * std::max(open, filled));
             }
             p.volume = setup.fluid.mass[i] / p.density;

@@ -26,7 +26,8 @@ Simulation tank_with_body(const RigidBody& body) {
     clear_fluid(setup.fluid, outline, setup.particle_spacing);
     add_body_particles(setup.walls, 0, outline, c, setup.particle_spacing,
                        2 * setup.model.smoothing_ratio * setup.particle_spacing);
-    return {setup.model, setup.fluid, setup.walls, setup.particle_spacing, setup.domain, {body}};
+    setup.bodies = {body};
+    return setup.simulate();
 }
 
 RigidBody resting_body() {
@@ -99,7 +100,7 @@ TEST_CASE("A density rate that is no number is noticed where densities are kept 
           "[simulation]") {
     samples::Setup setup =
         samples::dam_break(samples::two_phase_model(), {0.3, 0.45}, {0.9, 0.6}, 0.03, false);
-    setup.model.tension = false;
+    setup.model.negative_pressure = false;
     setup.model.water.eos.background_pressure = 0;
     Simulation simulation = setup.simulate();
     simulation.disturb().state[40].volume = nothing;

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The chapter of a scene.
+#include <fmt/format.h>
+
+#include "reports/figures/figures.hpp"
+#include "reports/page/player.hpp"
+#include "reports/parts/parts.hpp"
+#include "reports/parts/tables.hpp"
+
+namespace wetdeck::report {
+namespace {
+
+void add_pictures(Page& page, const Runs& runs, const ReportInputs& inputs) {
+    bool first = true;
+    for (const RunSummary* run : runs) {
+        const auto pictures = inputs.pictures.find(run->directory);
+        if (pictures == inputs.pictures.end() || pictures->second.empty()) continue;
+        if (first) page.section(3, "Fields", run->record.scene);
+        page.add(details(run_name(*run), picture_player(pictures->second), first));
+        first = false;
+    }
+}
+
+/// One block per variant: the first is open, the others open on a click.
+template <typename Figures>
+void add_by_variant(Page& page, const Runs& runs, Figures&& figures_of) {
+    const std::vector<std::string> variants = variants_of(runs);
+    for (std::size_t v = 0; v < variants.size(); ++v) {
+        const std::vector<Figure> figures = figures_of(with_variant(runs, variants[v]), v);
+        if (figures.empty()) continue;
+        if (v > 0) page.add("<details><summary>Variant " + escape(variants[v]) + "</summary>\n");
+        page.add_figures(figures);
+        if (v > 0) page.add("</details>\n");
+    }
+}
+
+void add_set_up(Page& page, const AnalysisSpec& scene, const ReportInputs& inputs) {
+    page.section(2, scene.title.empty() ? scene.scene : scene.title);
+    if (!scene.purpose.empty()) page.add(paragraph(scene.purpose, "lead"));
+    if (!scene.source.empty()) page.add(paragraph("Source: " + scene.source, "soft"));
+    page.anchor("set-up-" + scene.scene, "Set-up of " + scene.scene);
+    const auto sketch = inputs.sketches.find(scene.scene);
+    if (sketch != inputs.sketches.end()) {
+        page.add(fmt::format("<img class=\"sketch\" alt=\"Set-up of the scene\" src=\"{}\">\n",
+                             data_address("image/svg+xml", sketch->second)));
+    }
+    page.section(3, "Deviations from the source", scene.scene);
+    page.add(scene.deviations.empty() ? paragraph("None stated.", "soft") : deviations_table(scene));
+}
+
+void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
+    page.section(3, "Curves against references", scene.scene);
+    page.add(paragraph(
+        "Simulations: solid lines, the finest spacing is the darkest. Exact solutions: dashed black "
+        "lines. Measurements: black points, with bars or a band of one standard uncertainty where "
+        "it is known. Other simulations: thin grey lines; agreement with them is no validation. "
+        "Errors are evaluated over the shaded interval."));
+    add_by_variant(page, runs,
+                   [&](const Runs& some, std::size_t v) { return comparison_figures(scene, some, v); });
+    page.add_figures(variant_figures(scene, runs));
+    if (scene.comparisons.empty()) page.add(paragraph("The scene defines no curve to compare with.", "soft"));
+    page.section(3, "Errors against references", scene.scene);
+    page.add(comparison_tables(runs));
+    page.add(paragraph(
+        "NRMSE: root mean square difference divided by the range of the reference, both within the interval. "
+        "Peak error: difference of the largest simulated and reference values, divided by the latter. Peak "
+        "time error: time of the largest simulated value minus that of the reference, in the units of the "
+        "axis. Reference uncertainty: relative standard uncertainty; where it is unknown, the difference "
+        "cannot be attributed to the model.",
+        "soft"));
+    page.add(agreement_table(runs));
+    page.add(peer_table(runs));
+}
+
+void add_provenance(Page& page, const Runs& runs) {
+    page.section(3, "Provenance", runs.front()->record.scene);
+    page.add(references_table(runs));
+    page.add("<h4>Runs</h4>\n" + provenance_table(runs));
+    const RunRecord& record = finest_of_each(runs).front()->record;
+    if (!record.parameters.empty()) {
+        Table table({"key", "value (SI)"});
+        for (const auto& [key, content] : record.parameters) table.add({text(key), value(content, "-", 4)});
+        page.add(details("Resolved parameters of " + run_name(*finest_of_each(runs).front()), table.html()));
+    }
+    if (!record.scene_text.empty()) {
+        page.add(source_text("Scene file as read by the run", record.scene_text));
+    }
+}
+
+}  // namespace
+
+void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scene,
+                    const ReportInputs& inputs) {
+    add_set_up(page, scene, inputs);
+    const Runs runs = runs_of(summary, scene);
+    if (runs.empty()) {
+        page.add(paragraph("This directory holds no run of this scene.", "notice"));
+        return;
+    }
+    page.section(3, "Quantities of interest", scene.scene);
+    page.add(quantities_table(runs));
+    add_comparisons(page, scene, runs);
+    std::vector<Figure> uncompared = body_figures(runs);
+    for (Figure& profile : profile_figures(runs)) uncompared.push_back(std::move(profile));
+    if (!uncompared.empty()) page.section(3, "Loads and motion", scene.scene);
+    page.add_figures(uncompared);
+
+    page.section(3, "Convergence", scene.scene);
+    page.add(convergence_table(summary, scene));
+    page.add_figures(convergence_figures(summary, scene));
+    page.add(curve_convergence_table(summary, scene));
+    page.add_figures(curve_convergence_figures(summary, scene));
+
+    page.section(3, "Error and its uncertainty", scene.scene);
+    page.add(validation_table(summary, scene));
+    page.add(sensitivity_table(summary, scene));
+
+    page.section(3, "Ablation", scene.scene);
+    page.add(ablation_table(summary, scene));
+
+    page.section(3, "Conservation", scene.scene);
+    page.add(conservation_table(runs));
+    add_by_variant(page, runs, energy_figures);
+
+    page.section(3, "Cost", scene.scene);
+    page.add(cost_table(runs, scene));
+    add_pictures(page, runs, inputs);
+
+    page.section(3, "Limits of validity", scene.scene);
+    std::string limits;
+    for (const std::string& limit : scene.limits) limits += "<li>" + escape(limit) + "</li>\n";
+    page.add(limits.empty() ? paragraph("None stated.", "soft") : "<ul>\n" + limits + "</ul>\n");
+    add_provenance(page, runs);
+}
+
+}  // namespace wetdeck::report

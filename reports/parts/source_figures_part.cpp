@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the report shows what the figures of each scene's sources show.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/page/html.hpp"
+#include "reports/parts/parts.hpp"
+
+namespace wetdeck::report {
+namespace {
+
+std::string links_to(const Page& page, const SourceFigure& figure) {
+    std::string links;
+    for (const std::string& place : figure.places) {
+        for (const std::string& anchor : page.anchors_like(place)) {
+            links += fmt::format("{}<a href=\"#{}\">{}</a>", links.empty() ? "" : "<br>", anchor,
+                                 escape(page.title_of(anchor)));
+        }
+    }
+    return links;
+}
+
+std::string reason_for_absence(const Summary& summary, const AnalysisSpec& scene,
+                               const SourceFigure& figure) {
+    if (figure.places.empty()) return "—";
+    return runs_of(summary, scene).empty()
+               ? "Not shown: this directory holds no run of the scene."
+               : "Not shown: the runs in this directory do not hold the data for it.";
+}
+
+/// Sources in the order in which the scene names them first.
+std::vector<std::string> sources_of(const AnalysisSpec& scene) {
+    std::vector<std::string> sources;
+    for (const SourceFigure& figure : scene.source_figures) {
+        if (std::find(sources.begin(), sources.end(), figure.source) == sources.end())
+            sources.push_back(figure.source);
+    }
+    return sources;
+}
+
+std::string figures_table(const Page& page, const Summary& summary, const AnalysisSpec& scene,
+                          const std::string& source) {
+    Table table({"figure", "content", "place in this report", "remark"});
+    for (const SourceFigure& figure : scene.source_figures) {
+        if (figure.source != source) continue;
+        const std::string links = links_to(page, figure);
+        table.add({text(figure.number), text(figure.shows),
+                   links.empty() ? text(reason_for_absence(summary, scene, figure)) : markup(links),
+                   text(figure.remark)});
+    }
+    return table.html();
+}
+
+}  // namespace
+
+void add_source_figures_part(Page& page, const Summary& summary) {
+    const std::vector<AnalysisSpec> scenes = scenes_of(summary);
+    const auto has_figures = [](const AnalysisSpec& scene) { return !scene.source_figures.empty(); };
+    if (std::none_of(scenes.begin(), scenes.end(), has_figures)) return;
+    page.section(2, "Figures of the sources");
+    page.add(paragraph("Where this report shows what the figures of the sources show."));
+    for (const AnalysisSpec& scene : scenes) {
+        for (const std::string& source : sources_of(scene))
+            page.add("<h4>" + escape(source) + "</h4>\n" + figures_table(page, summary, scene, source));
+    }
+}
+
+}  // namespace wetdeck::report

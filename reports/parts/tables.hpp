@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of the report, as markup.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/figures/selection.hpp"
+#include "reports/page/html.hpp"
+
+namespace wetdeck::report {
+
+/// Of one scene.
+std::string deviations_table(const AnalysisSpec& scene);
+std::string quantities_table(const Runs& runs);
+std::string comparison_tables(const Runs& runs);
+std::string agreement_table(const Runs& runs);
+/// Pressures of other codes, and of the finest run, against each measured pressure. Empty without either.
+std::string peer_table(const Runs& runs);
+std::string convergence_table(const Summary& summary, const AnalysisSpec& scene);
+std::string curve_convergence_table(const Summary& summary, const AnalysisSpec& scene);
+std::string validation_table(const Summary& summary, const AnalysisSpec& scene);
+std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene);
+std::string ablation_table(const Summary& summary, const AnalysisSpec& scene);
+std::string conservation_table(const Runs& runs);
+std::string cost_table(const Runs& runs, const AnalysisSpec& scene);
+std::string references_table(const Runs& runs);
+std::string provenance_table(const Runs& runs);
+
+/// Over all scenes; empty without rows. The cheapest run within an error, and other codes.
+std::string cheapest_table(const Summary& summary);
+std::string peer_points_table(const Summary& summary);
+
+/// Cells and texts that several tables share.
+Cell status_cell(const RunRecord& record);
+/// Empty where there is no reference to compare with; false also where the run ended too early.
+std::optional<bool> verdict_of(const ComparisonResult& comparison);
+/// Relative standard uncertainty of the reference: "5 %", "none" or "unknown".
+std::string uncertainty_text(const ComparisonResult& comparison);
+/// A kind of reference in words: "measurements", "other simulations ...".
+std::string kind_name(std::optional<ReferenceKind> kind);
+
+}  // namespace wetdeck::report

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparison error with its uncertainty, and differences of curves separated into amplitude, timing and
+// shape.
+#include <fmt/format.h>
+
+#include "reports/parts/tables.hpp"
+
+namespace wetdeck::report {
+namespace {
+
+Cell or_unknown(std::optional<double> number_or_nothing) {
+    return number_or_nothing ? value(number_or_nothing) : text("unknown");
+}
+
+std::string error_text(const ValidationRow& row) {
+    const std::string sign = row.error > 0 ? "+" : "";
+    const std::string spread = row.u_val         ? " ± " + number(*row.u_val)
+                               : row.u_known > 0 ? ", u_val at least " + number(row.u_known)
+                                                 : ", u_val unknown";
+    return sign + number(row.error) + spread;
+}
+
+/// "0.54 / 0.57", simulated over reference.
+std::string both(const ComparisonResult& c, const char* name) {
+    for (const CurveFeature& feature : c.features) {
+        if (feature.name != name || (!feature.simulated && !feature.reference)) continue;
+        return number_with_unit(feature.simulated, "-") + " / " + number_with_unit(feature.reference, "-");
+    }
+    return "—";
+}
+
+}  // namespace
+
+std::string validation_table(const Summary& summary, const AnalysisSpec& scene) {
+    std::string out;
+    for (const std::string& variant : variants_of(runs_of(summary, scene))) {
+        Table table({"quantity", "dx [m]", "simulation S", "measured D", "E = S − D ± u_val", "u_num",
+                     "u_input", "u_data", "verdict"},
+                    "compact");
+        for (const ValidationRow& row : summary.validation) {
+            if (row.scene != scene.scene || row.variant != variant) continue;
+            const std::string kind = row.kind ? "" : ", kind not stated";
+            table.add({markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}{}</span>",
+                                          escape(row.quantity), escape(row.against), kind),
+                              "wide"),
+                       value(row.dx, "-", 4), value(row.simulated, row.unit), value(row.reference, row.unit),
+                       markup(escape(error_text(row)), "number"),
+                       row.u_num ? markup(fmt::format("{}<br><span class=\"soft\">{}</span>",
+                                                      number(*row.u_num), escape(row.u_num_source)))
+                                 : text(row.u_num_source),
+                       or_unknown(row.u_input), or_unknown(row.u_data), markup(escape(row.verdict), "wide")});
+        }
+        if (table.empty()) continue;
+        out += details("Variant " + variant, table.html(), variant == scene.default_variant);
+    }
+    if (out.empty()) return paragraph("There is no measured value to compare with.", "soft");
+    return out +
+           paragraph(
+               "After ASME V&V 20: E is the comparison error and u_val² = u_num² + u_input² + u_data², all "
+               "standard uncertainties (k = 1). u_num: half the grid convergence index, or the range of the "
+               "values at the three finest spacings if these do not converge monotonically. An uncertainty "
+               "that is not stated is unknown and is not taken as zero; u_val then has only a lower bound. "
+               "An error smaller than u_val does not show that the model has no error: a model error of "
+               "this size cannot be resolved.",
+               "soft");
+}
+
+std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene) {
+    Table table({"input", "varied", "standard uncertainty", "quantity", "at low", "at high", "u_input"},
+                "compact");
+    for (const SensitivityRow& row : summary.sensitivity) {
+        if (row.scene != scene.scene) continue;
+        table.add({markup(escape(row.key), "name"), text(number(row.low, 4) + " to " + number(row.high, 4)),
+                   value(row.uncertainty), text(row.quantity), value(row.value_low, row.unit),
+                   value(row.value_high, row.unit), value(row.u_input, row.unit)});
+    }
+    if (table.empty()) {
+        return scene.sensitivities.empty()
+                   ? paragraph(
+                         "Input uncertainty: the scene defines no input to vary, so u_input is unknown.",
+                         "soft")
+                   : paragraph(
+                         "Input uncertainty: the scene defines inputs to vary, but this directory does not "
+                         "hold the runs, so u_input is unknown.",
+                         "soft");
+    }
+    std::string sources;
+    for (const SensitivitySpec& spec : scene.sensitivities)
+        sources += (sources.empty() ? "" : "; ") + spec.key + ": " + spec.source;
+    return details(
+        "Inputs varied for u_input",
+        table.html() +
+            paragraph("One input at a time is varied at the middle spacing of the default variant. "
+                      "u_input = |difference of the quantity / difference of the input| × standard "
+                      "uncertainty of the input. Sources: " +
+                          sources + ".",
+                      "soft"));
+}
+
+std::string agreement_table(const Runs& runs) {
+    std::string out;
+    for (const RunSummary* run : finest_of_each(runs)) {
+        Table table({"comparison", "peak", "time of peak", "rise time", "impulse", "mean", "magnitude",
+                     "phase", "combined", "amplitude factor", "time shift", "shape"},
+                    "compact");
+        for (const ComparisonResult& c : run->comparisons) {
+            if (c.features.empty()) continue;
+            std::vector<Cell> row{markup(fmt::format("{}<br><span class=\"soft\">{}</span>", escape(c.title),
+                                                     escape(kind_name(c.kind))),
+                                         "wide")};
+            for (const char* name : {"peak", "time of peak", "rise time", "impulse", "mean"})
+                row.push_back(markup(escape(both(c, name)), "number"));
+            const CurveAgreement& a = c.agreement;
+            for (const auto& number_or_nothing :
+                 {a.magnitude, a.phase, a.combined, a.amplitude_factor, a.time_shift, a.shape_error})
+                row.push_back(value(number_or_nothing));
+            table.add(row);
+        }
+        if (!table.empty())
+            out += details(run_name(*run), table.html(), run->record.variant == runs.front()->record.variant);
+    }
+    if (out.empty()) return "";
+    return "<h4>Amplitude, timing and shape at the finest spacings</h4>\n" + out +
+           paragraph(
+               "Features are given as simulation / reference, scaled, within the interval of the comparison. "
+               "A peak at an end of the interval does not count; rise time: from 10 % to 90 % of the peak. "
+               "Magnitude, phase, combined: error measures of Sprague and Geers. Amplitude factor and time "
+               "shift are those that bring the simulation closest to the reference (a positive shift means "
+               "that the simulation is late; at most a tenth of the interval); shape: rms difference that "
+               "remains after both, divided by the range of the reference.",
+               "soft");
+}
+
+}  // namespace wetdeck::report

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/bodies/flow.hpp"
+
+namespace wetdeck {
+
+void measure_bodies(Flow& flow, double added_mass, Vec2 gravity) {
+    for (RigidBody& body : flow.bodies) body.radius = body.added_mass = body.added_inertia = 0;
+    for (std::size_t n = flow.walls.fixed; n < flow.walls.size(); ++n) {
+        const BodyPoint& point = flow.walls.body_point[n];
+        RigidBody& body = flow.bodies.at(point.body);
+        body.radius = std::max(body.radius, std::hypot(point.x, point.y));
+        body.added_mass += added_mass;
+        body.added_inertia += added_mass * (point.x * point.x + point.y * point.y);
+    }
+    for (RigidBody& body : flow.bodies) {
+        for (int k = 0; k < 2; ++k) {
+            if (body.free[static_cast<std::size_t>(k)] && body.added_mass > body.mass)
+                body.acceleration[k] = gravity[k];
+        }
+    }
+}
+
+void place_bodies(Flow& flow) {
+    WallParticles& walls = flow.walls;
+    for (std::size_t b = 0; b < flow.bodies.size(); ++b) {
+        const RigidBody& body = flow.bodies[b];
+        const Eigen::Matrix2d axes = body.axes();
+        for (std::size_t n = walls.fixed; n < walls.size(); ++n) {
+            const BodyPoint& point = walls.body_point[n];
+            if (point.body != b) continue;
+            const Vec2 arm = axes * Vec2(point.x, point.y), normal = axes * Vec2(point.nx, point.ny);
+            const Vec2 position = body.position + arm, velocity = body.velocity_at(arm);
+            const Vec2 acceleration = body.acceleration_at(arm);
+            walls.state[n] = {position.x(), position.y(), velocity.x(),     velocity.y(),
+                              normal.x(),   normal.y(),   acceleration.x(), acceleration.y()};
+        }
+    }
+}
+
+BodyLoad load_on(const Flow& flow, std::size_t body) {
+    const WallParticles& walls = flow.walls;
+    BodyLoad load;
+    for (std::size_t n = walls.fixed; n < walls.size(); ++n) {
+        if (walls.body_point[n].body != body) continue;
+        const Vec2 force(walls.force_x[n], walls.force_y[n]);
+        const Vec2 arm = Vec2(walls.state[n].x, walls.state[n].y) - flow.bodies[body].position;
+        load.force += force;
+        load.torque += arm.x() * force.y() - arm.y() * force.x();
+    }
+    return load;
+}
+
+}  // namespace wetdeck

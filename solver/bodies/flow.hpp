@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything that moves: fluid particles, boundary particles, bodies; and how boundary particles and bodies
+// belong together, Yang et al. (2020), Eqs. (20)-(23).
+#pragma once
+
+#include <vector>
+
+#include "solver/bodies/rigid_body.hpp"
+#include "solver/particles/fluid.hpp"
+#include "solver/particles/walls.hpp"
+
+namespace wetdeck {
+
+/// Fluid, walls and bodies at one time.
+struct Flow {
+    FluidParticles fluid;           ///< of both phases
+    WallParticles walls;            ///< of the tank, then of the bodies
+    std::vector<RigidBody> bodies;  ///< in the order of the numbers that their boundary particles carry
+
+    /// Whether there are particles of both phases.
+    bool two_phase() const { return fluid.water > 0 && fluid.water < fluid.size(); }
+};
+
+/// Sets radius, added mass and added inertia of each body from its boundary particles, and the acceleration
+/// at the start of bodies that are lighter than their added mass: free fall, which they would else take steps
+/// to reach.
+/// @param added_mass  of each boundary particle [kg/m]
+/// @param gravity     [m/s^2]
+///
+/// Throws std::out_of_range where a boundary particle carries the number of no body.
+void measure_bodies(Flow& flow, double added_mass, Vec2 gravity);
+
+/// Moves the boundary particles of the bodies to where the poses put them, Eqs. (22)-(23).
+void place_bodies(Flow& flow);
+
+/// Sum of the forces that the last force pass left on the boundary particles of one body, Eqs. (20)-(21).
+BodyLoad load_on(const Flow& flow, std::size_t body);
+
+}  // namespace wetdeck

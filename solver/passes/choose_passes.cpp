@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The choice of the passes of one instruction set, once per run.
+#include "solver/passes/instruction_sets.hpp"
+#include "solver/passes/isa_passes.hpp"
+
+namespace wetdeck::WETDECK_ISA {
+
+PairPasses choose_pair_passes(const Model& model) {
+    PairPasses passes;
+    passes.wall_means = wall_mean_pass();
+    passes.density_rates = density_pass(model);
+    passes.accelerations = momentum_pass(model);
+    passes.body_forces = body_force_pass(model);
+    passes.update_density = update_density;
+    passes.filter_near = filter_near;
+    return passes;
+}
+
+}  // namespace wetdeck::WETDECK_ISA

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pass of the continuity equation, Yang et al. (2020), Eq. (12):
+//     d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*)
+// and, where it bounds the density of water, the kernel sum S_i = SUM_j V_j W_ij.
+#include "solver/passes/cluster_loop.hpp"
+#include "solver/passes/isa_passes.hpp"
+#include "solver/passes/simd/lanes.hpp"
+#include "solver/physics/density_bounds.hpp"
+#include "solver/physics/riemann.hpp"
+#include "solver/physics/wall_boundary.hpp"
+
+namespace wetdeck::WETDECK_ISA {
+namespace {
+
+/// What the pass computes, resolved at compile time.
+struct DensityTerms {
+    bool harmonic_velocity;       ///< the velocity mean is harmonic, by component
+    bool harmonic_impedance;      ///< the mean of rho c is harmonic, of the present states
+    bool hydrostatic_correction;  ///< the hydrostatic jump is taken out of the pressure jump
+    bool mirrored_walls;          ///< walls move along their face with the water
+    bool kernel_sum;              ///< the kernel sum is wanted
+};
+
+struct DensitySums {
+    Pack rate = 0.0, kernel_sum = 0.0;
+};
+
+/// The sum over the neighbours of one phase. F (u_L - u*) is taken with F = r W', so that nothing is divided
+/// by r: r u = -v . r_ij.
+/// @param mobility  of the pair at the present density
+template <DensityTerms terms>
+WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const Lanes& i, Neighbours neighbours,
+                                     const PairCoefficients& c, Pack mobility) {
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+    const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
+    DensitySums sums;
+    for (const std::uint32_t index : neighbours) {
+        const FluidState& j = in.fluid[index];
+        const Separation s = separation(i, j.x, j.y);
+        Pack jump = i.pressure - j.pressure;
+        if constexpr (terms.hydrostatic_correction) jump = jump - (gx * s.x + gy * s.y);
+        Pack pair_mobility = mobility;
+        if constexpr (terms.harmonic_impedance) pair_mobility = mobility + c.right_mobility / j.density;
+        Pack left_less_star;
+        if constexpr (terms.harmonic_velocity) {  // v* . e of the mean of vectors, by component
+            const Pack vx = harmonic_mean(i.vx, Pack(j.vx), in.model->mean_guard, in.smallest_velocity);
+            const Pack vy = harmonic_mean(i.vy, Pack(j.vy), in.model->mean_guard, in.smallest_velocity);
+            left_less_star = (vx - i.vx) * s.x + (vy - i.vy) * s.y - pair_mobility * jump * s.distance;
+        } else {
+            const Pack approach = (j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y;
+            left_less_star =
+                velocity_left_less_star(approach, jump * s.distance, c.weight_right, pair_mobility);
+        }
+        sums.rate += j.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * left_less_star;
+        if constexpr (terms.kernel_sum)
+            sums.kernel_sum += j.volume * WendlandC2::shape(s.distance, inverse_h);
+    }
+    return sums;
+}
+
+/// What the sums over boundary particles yield for a cluster, less the volume of each.
+struct WallSums {
+    Pack rate = 0.0, kernel_sum = 0.0;
+    Pack face_distance = 0.0;  ///< from the face of the nearest boundary particle [spacings]
+};
+
+/// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump;
+/// an edge of a body, which has no normal, reverses the whole velocity. A mirrored wall moves along its face
+/// with the water around it.
+template <DensityTerms terms>
+WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+    Pack sum = 0.0, stretching = 0.0, kernel_sum = 0.0;
+    // Signed distance from the layer of the nearest boundary particle: it tells the particle's own face, so
+    // that the other face of a thin body, or of an edge, does not count.
+    Pack closest = in.kernel.support_radius(), own_distance = in.kernel.smoothing_length;
+    for (const std::uint32_t index : neighbours) {
+        const WallState& w = in.wall[index];
+        const Separation s = separation(i, w.x, w.y);
+        const Pack weight = WendlandC2::gradient_shape(s.distance, inverse_h);
+        if constexpr (terms.kernel_sum) kernel_sum += WendlandC2::shape(s.distance, inverse_h);
+        const bool edge = w.nx == 0 && w.ny == 0;
+        const Pack signed_distance = edge ? s.distance : s.x * w.nx + s.y * w.ny;
+        if constexpr (terms.mirrored_walls || terms.kernel_sum) {
+            own_distance = select(s.distance < closest, signed_distance, own_distance);
+            closest = minimum(closest, s.distance);
+        }
+        if (edge) {
+            sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
+        } else {
+            const Pack approach = -((i.vx - w.vx) * w.nx + (i.vy - w.vy) * w.ny);
+            sum += weight * approach * signed_distance;
+            if constexpr (terms.mirrored_walls) {
+                const WallMean& mean = in.wall_mean[index];
+                const Pack slip = (i.vy - mean.vy) * w.nx - (i.vx - mean.vx) * w.ny;
+                const Pack along = s.y * w.nx - s.x * w.ny;
+                stretching += select(signed_distance > 0.0, weight * slip * along, 0.0);
+            }
+        }
+    }
+    const Pack face_distance = own_distance * (1 / in.particle_spacing) - 0.5;
+    if constexpr (terms.mirrored_walls) sum = sum - 0.5 * stretching_share(face_distance) * stretching;
+    return {sum, kernel_sum, face_distance};
+}
+
+/// The kernel sum of fluid and walls. Water that touches a face counts as fully supported.
+WETDECK_INLINE Pack whole_kernel_sum(const PassInput& in, Pack fluid, const WallSums& walls) {
+    const double inverse_norm = 1 / in.kernel.normalisation();
+    const Pack touching = inverse_norm * (touching_kernel_sum + positive_part(-walls.face_distance));
+    return select(walls.face_distance < touching_distance, touching,
+                  fluid + in.wall_volume * walls.kernel_sum);
+}
+
+template <DensityTerms terms>
+WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cluster) {
+    if (idle(in, cluster)) return store(0.0, in.density_rate, cluster);
+    const Lanes i = load(in.fluid, cluster);
+    const auto phase_i = static_cast<std::size_t>(cluster.phase);
+    const Pack reference_over_density = in.reference_density[phase_i] / i.density;
+    const double water_weight = substep_weight(in, cluster);
+    DensitySums sums;
+    for (std::size_t phase = 0; phase < phase_count; ++phase) {
+        const double weight = phase == 1 ? 1 : water_weight;
+        if (!(weight > 0)) continue;
+        const PairCoefficients& c = in.pair[phase_i][phase];
+        const DensitySums fluid = fluid_sum<terms>(in, i, fluid_neighbours(*in.blocks, cluster, phase), c,
+                                                   c.mobility * reference_over_density);
+        sums.rate += weight * fluid.rate;
+        if constexpr (terms.kernel_sum) sums.kernel_sum += fluid.kernel_sum;
+    }
+    if (cluster.wall_neighbours > 0 && water_weight > 0) {
+        const WallSums walls = wall_sum<terms>(in, i, wall_neighbours(*in.blocks, cluster));
+        sums.rate += water_weight * in.wall_volume * walls.rate;
+        if constexpr (terms.kernel_sum) sums.kernel_sum = whole_kernel_sum(in, sums.kernel_sum, walls);
+    }
+    store(2 * in.kernel.slope_factor() * i.density * sums.rate, in.density_rate, cluster);
+    if constexpr (terms.kernel_sum)
+        store(in.kernel.normalisation() * sums.kernel_sum, in.kernel_sum, cluster);
+}
+
+template <DensityTerms terms>
+void density_rates(const PassInput& in) {
+    constexpr DensityTerms without_sum = {terms.harmonic_velocity, terms.harmonic_impedance,
+                                          terms.hydrostatic_correction, terms.mirrored_walls, false};
+    constexpr DensityTerms of_air = {terms.harmonic_velocity, terms.harmonic_impedance,
+                                     terms.hydrostatic_correction, false, false};
+    for_clusters(in, [&in](const Cluster& cluster) {
+        if (cluster.phase == Phase::air) {
+            cluster_density_rates<of_air>(in, cluster);
+        } else if (in.kernel_sum) {
+            cluster_density_rates<terms>(in, cluster);
+        } else {
+            cluster_density_rates<without_sum>(in, cluster);
+        }
+    });
+}
+
+}  // namespace
+
+Pass density_pass(const Model& model) {
+    return with_flags(
+        []<bool velocity, bool impedance, bool hydrostatic, bool mirrored>() -> Pass {
+            return density_rates<DensityTerms{velocity, impedance, hydrostatic, mirrored, true}>;
+        },
+        model.velocity_mean == Mean::harmonic, model.impedance_mean == ImpedanceMean::harmonic,
+        model.hydrostatic_correction, model.wall_velocity == WallVelocity::mirrored);
+}
+
+}  // namespace wetdeck::WETDECK_ISA

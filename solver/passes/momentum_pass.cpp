@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The pass of the momentum equation, Yang et al. (2020), Eq. (12):
+//     dv_i/dt = (2/rho_i) SUM_j V_j P* F r_ij / r + g
+#include "solver/passes/cluster_loop.hpp"
+#include "solver/passes/isa_passes.hpp"
+#include "solver/passes/wall_pair.hpp"
+#include "solver/physics/dissipation.hpp"
+#include "solver/physics/riemann.hpp"
+
+namespace wetdeck::WETDECK_ISA {
+namespace {
+
+/// What the pass computes, resolved at compile time.
+struct MomentumTerms {
+    bool harmonic_pressure;   ///< the pressure mean is harmonic
+    bool dissipation;         ///< Riemann dissipation, Eq. (10)
+    bool viscosity;           ///< physical viscosity, Eq. (13)
+    bool dissipation_switch;  ///< Eqs. (14)-(15)
+    bool no_slip;             ///< walls drag the fluid along, Eq. (18)
+};
+
+/// P* between the particles of a cluster and one neighbour.
+template <MomentumTerms terms>
+WETDECK_INLINE Pack fluid_p_star(const PassInput& in, const Lanes& i, const FluidState& j,
+                                 const Separation& s, const PairCoefficients& c) {
+    Pack p_star;
+    if constexpr (terms.harmonic_pressure) {
+        p_star = harmonic_mean_of_pressures(i.pressure, Pack(j.pressure), in.model->mean_guard,
+                                            in.smallest_pressure);
+    } else {
+        p_star =
+            weighted_pressure(i.pressure, Pack(j.pressure), c.pressure_weight_left, c.pressure_weight_right);
+    }
+    if constexpr (terms.dissipation || terms.viscosity || terms.dissipation_switch) {
+        const Pack jump = ((j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y) * s.inverse_distance;
+        if constexpr (terms.dissipation) p_star += riemann_dissipation(jump, c.limiter);
+        if constexpr (terms.viscosity) p_star += c.viscosity * maximum(jump, c.lowest_viscous_jump);
+        if constexpr (terms.dissipation_switch) {
+            const Pack u_mean = -0.5 * ((j.vx + i.vx) * s.x + (j.vy + i.vy) * s.y) * s.inverse_distance;
+            const Pack on = maximum(i.impact, j.impact);
+            p_star += on * c.half_density * maximum(u_mean, -u_mean) * jump;
+        }
+    }
+    return p_star;
+}
+
+template <MomentumTerms terms>
+WETDECK_INLINE VectorSum fluid_sum(const PassInput& in, const Lanes& i, Neighbours neighbours,
+                                   const PairCoefficients& c) {
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+    VectorSum sum;
+    for (const std::uint32_t index : neighbours) {
+        const FluidState& j = in.fluid[index];
+        const Separation s = separation(i, j.x, j.y);
+        const Pack p_star = fluid_p_star<terms>(in, i, j, s, c);
+        const Pack weight = j.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
+        sum.x += weight * s.x;
+        sum.y += weight * s.y;
+    }
+    return sum;
+}
+
+template <WallTerms terms>
+VectorSum wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, const WallCoefficients& c) {
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+    VectorSum sum;
+    for (const std::uint32_t index : neighbours) {
+        const WallState& w = in.wall[index];
+        const Separation s = separation(i, w.x, w.y);
+        const double mean = terms.shepard_pressure ? in.wall_mean[index].pressure : 0;
+        const WallSide<double> wall = {w.nx, w.ny, w.ax - in.gravity.x(), w.ay - in.gravity.y(), mean};
+        const WallPairGeometry pair = {s.x, s.y, i.vx - w.vx, i.vy - w.vy, s.inverse_distance};
+        const Pack p_star = wall_p_star<terms>(FluidSide<Pack>{i.pressure, i.density}, wall, pair, c);
+        const Pack weight = WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
+        sum.x += weight * s.x;
+        sum.y += weight * s.y;
+    }
+    return sum;
+}
+
+template <MomentumTerms terms>
+void accelerations(const PassInput& in) {
+    for_clusters(in, [&in](const Cluster& cluster) {
+        if (idle(in, cluster)) {
+            store(0.0, in.acceleration_x, cluster);
+            return store(0.0, in.acceleration_y, cluster);
+        }
+        const auto phase_i = static_cast<std::size_t>(cluster.phase);
+        const Lanes i = load(in.fluid, cluster);
+        const double water_weight = substep_weight(in, cluster);
+        VectorSum sum;
+        for (std::size_t phase = 0; phase < phase_count; ++phase) {
+            const double weight = phase == 1 ? 1 : water_weight;
+            if (!(weight > 0)) continue;
+            const VectorSum fluid = fluid_sum<terms>(in, i, fluid_neighbours(*in.blocks, cluster, phase),
+                                                     in.pair[phase_i][phase]);
+            sum.x += weight * fluid.x;
+            sum.y += weight * fluid.y;
+        }
+        if (cluster.wall_neighbours > 0 && water_weight > 0) {
+            const auto over_walls = in.wall_pressure_mean[phase_i]
+                                        ? wall_sum<WallTerms{terms.no_slip, true}>
+                                        : wall_sum<WallTerms{terms.no_slip, false}>;
+            const VectorSum walls =
+                over_walls(in, i, wall_neighbours(*in.blocks, cluster), in.wall_pair[phase_i]);
+            sum.x += water_weight * in.wall_volume * walls.x;
+            sum.y += water_weight * in.wall_volume * walls.y;
+        }
+        const Pack factor = 2 * in.kernel.slope_factor() / i.density;
+        store(factor * sum.x + water_weight * in.gravity.x(), in.acceleration_x, cluster);
+        store(factor * sum.y + water_weight * in.gravity.y(), in.acceleration_y, cluster);
+    });
+}
+
+}  // namespace
+
+Pass momentum_pass(const Model& model) {
+    return with_flags(
+        []<bool harmonic, bool dissipation, bool viscosity, bool switched, bool no_slip>() -> Pass {
+            return accelerations<MomentumTerms{harmonic, dissipation, viscosity, switched, no_slip}>;
+        },
+        model.pressure_mean == Mean::harmonic, model.dissipation != Dissipation::none,
+        model.viscosity != Viscosity::none, model.dissipation_switch, model.wall_slip == WallSlip::no);
+}
+
+}  // namespace wetdeck::WETDECK_ISA

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/passes/rates.hpp"
+
+#include "solver/physics/sponge.hpp"
+
+namespace wetdeck {
+namespace {
+
+bool needs_wall_means(const Model& model) {
+    return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;
+}
+
+PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
+    const Model& model = setup.model;
+    PassInput in;
+    in.kernel = {model.smoothing_ratio * setup.particle_spacing};
+    const double h = in.kernel.smoothing_length;
+    for (std::size_t i = 0; i < phase_count; ++i) {
+        for (std::size_t j = 0; j < phase_count; ++j)
+            in.pair[i][j] = pair_coefficients(model, Phase(i), Phase(j), h);
+        in.wall_pair[i] = wall_coefficients(model, Phase(i), h);
+    }
+    in.gravity = model.gravity;
+    in.particle_spacing = setup.particle_spacing;
+    in.wall_volume = setup.particle_spacing * setup.particle_spacing;
+    in.smallest_velocity = 1e-12 * model.water.eos.sound_speed;
+    in.smallest_pressure = 1e-12 * model.water.eos.coefficient();
+    in.reference_density = {model.water.eos.reference_density, model.air.eos.reference_density};
+    in.wall_pressure_mean = {model.wall_pressure != WallPressure::one_sided,
+                             model.wall_pressure == WallPressure::shepard};
+    in.threads = setup.execution.threads;
+    in.fixed_walls = fixed_walls;
+    return in;
+}
+
+NeighbourList list_for(const RatesSetup& setup, double skin, bool with_wall_lists) {
+    const double support = 2 * setup.model.smoothing_ratio * setup.particle_spacing;
+    return {setup.domain, setup.particle_spacing, support, skin, with_wall_lists, setup.model.periodic_x};
+}
+
+/// Sets what passes read of this flow and list.
+void set_state(PassInput& in, const Flow& flow, const NeighbourList& list) {
+    in.fluid = list.listed(flow.fluid);
+    in.wall = flow.walls.state.data();
+    in.wall_mean = flow.walls.mean.data();
+    in.blocks = &list.blocks();
+    in.clusters = &list.clusters();
+    in.shares = &list.shares();
+    in.wall_clusters = &list.wall_clusters();
+}
+
+}  // namespace
+
+Rates::Rates(const RatesSetup& setup, Flow& flow)
+    : setup_(setup),
+      passes_(pair_passes(setup.model, setup.execution.instruction_set)),
+      constants_(constants_of(setup, flow.walls.fixed)),
+      list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
+                     needs_wall_means(setup.model) || !flow.bodies.empty())),
+      listed_bodies_(flow.bodies) {
+    list_.sort_fixed_walls(flow.walls);
+}
+
+PassInput Rates::inputs(const Flow& flow) const {
+    PassInput in = constants_;
+    in.model = &setup_.model;
+    set_state(in, flow, list_);
+    return in;
+}
+
+PassInput Rates::pass_input(Flow& flow, double substep_weight) const {
+    PassInput in = inputs(flow);
+    in.water_weight = substep_weight;
+    if (substep_weight == 0) in.shares = &list_.air_shares();
+    if (setup_.model.full_kernel_sum > 0 && substep_weight > 0) in.kernel_sum = flow.fluid.kernel_sum.data();
+    in.new_wall_mean = flow.walls.mean.data();
+    in.density_rate = flow.fluid.density_rate.data();
+    in.acceleration_x = flow.fluid.acceleration_x.data();
+    in.acceleration_y = flow.fluid.acceleration_y.data();
+    in.wall_force_x = flow.walls.force_x.data();
+    in.wall_force_y = flow.walls.force_y.data();
+    return in;
+}
+
+void Rates::build_list(Flow& flow) {
+    list_.build(flow.fluid, flow.walls, passes_.filter_near, setup_.execution.threads);
+    listed_bodies_ = flow.bodies;
+    // boundary particles without fluid near are left out of the list
+    std::fill(flow.walls.force_x.begin(), flow.walls.force_x.end(), 0.0);
+    std::fill(flow.walls.force_y.begin(), flow.walls.force_y.end(), 0.0);
+    ++list_builds_;
+    water_near_air_ = 0;
+    for (const Cluster& cluster : list_.clusters())
+        if (cluster.phase == Phase::water && cluster.fluid_neighbours[1] > 0)
+            water_near_air_ += cluster.count;
+}
+
+void Rates::refresh_list(Flow& flow, double farthest) {
+    const StageTimer timer(stages_.neighbours);
+    if (!list_.still_complete(farthest, flow.fluid, flow.walls, setup_.execution.threads)) build_list(flow);
+}
+
+void Rates::wall_means(Flow& flow, double substep_weight) {
+    const bool for_air = setup_.model.wall_pressure == WallPressure::shepard;
+    if (!needs_wall_means(setup_.model) || (substep_weight == 0 && !for_air)) return;
+    const StageTimer timer(stages_.walls);
+    passes_.wall_means(pass_input(flow, substep_weight));
+}
+
+void Rates::density(Flow& flow, double substep_weight) {
+    const StageTimer timer(stages_.density);
+    passes_.density_rates(pass_input(flow, substep_weight));
+    if (setup_.model.sponge_thickness > 0) apply_sponge_layer(flow.fluid, {&flow.fluid.density_rate});
+}
+
+void Rates::momentum(Flow& flow, double substep_weight) {
+    const StageTimer timer(stages_.momentum);
+    FluidParticles& fluid = flow.fluid;
+    passes_.accelerations(pass_input(flow, substep_weight));
+    if (const double frequency = setup_.model.central_frequency; frequency > 0) {
+        for (std::size_t i = 0; i < fluid.size(); ++i) {
+            const double pull = (i < fluid.water ? substep_weight : 1) * (frequency * frequency);
+            fluid.acceleration_x[i] -= pull * fluid.state[i].x;
+            fluid.acceleration_y[i] -= pull * fluid.state[i].y;
+        }
+    }
+    if (setup_.model.sponge_thickness > 0)
+        apply_sponge_layer(fluid, {&fluid.acceleration_x, &fluid.acceleration_y});
+}
+
+/// The sponge layer's factor on rates, Eqs. (24)-(25).
+void Rates::apply_sponge_layer(const FluidParticles& fluid,
+                               std::initializer_list<std::vector<double>*> rates) const {
+    const double thickness = setup_.model.sponge_thickness;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const double distance = distance_to_wall(setup_.domain, fluid.state[i].x, fluid.state[i].y);
+        if (distance >= thickness) continue;
+        const double factor = sponge_factor(distance, thickness);
+        for (std::vector<double>* rate : rates) (*rate)[i] *= factor;
+    }
+}
+
+void Rates::body_loads(Flow& flow, double substep_weight) {
+    if (flow.bodies.empty()) return;
+    const StageTimer timer(stages_.bodies);
+    const Vec2 gravity = setup_.model.gravity;
+    PassInput in = pass_input(flow, substep_weight);
+    if (substep_weight > 0) {
+        in.loading = {true, false};
+        passes_.body_forces(in);
+        for (std::size_t b = 0; b < flow.bodies.size(); ++b)
+            flow.bodies[b].set_slow_load(load_on(flow, b), gravity);
+    }
+    const bool has_air = flow.fluid.water < flow.fluid.size();
+    if (has_air) {
+        in.loading = {false, true};
+        passes_.body_forces(in);
+    }
+    for (std::size_t b = 0; b < flow.bodies.size(); ++b)
+        flow.bodies[b].set_fast_load(has_air ? load_on(flow, b) : BodyLoad{}, gravity);
+}
+
+/// The pressure convection rate grad(p).v of Eq. (15) is taken from the momentum equation itself: grad(p) =
+/// -rho (dv/dt - g).
+void Rates::mark_impacts(Flow& flow, double fastest) {
+    const StageTimer timer(stages_.integration);
+    FluidParticles& fluid = flow.fluid;
+    const Vec2 gravity = setup_.model.gravity;
+    const double g = gravity.norm();
+    const auto size = static_cast<std::int64_t>(fluid.size());
+#pragma omp parallel for schedule(static) num_threads(setup_.execution.threads)
+    for (std::int64_t n = 0; n < size; ++n) {
+        const auto i = static_cast<std::size_t>(n);
+        FluidState& p = fluid.state[i];
+        const double rate = -p.density * ((fluid.acceleration_x[i] - gravity.x()) * p.vx +
+                                          (fluid.acceleration_y[i] - gravity.y()) * p.vy);
+        p.impact = rate > p.density * g * fastest ? 1 : 0;
+    }
+}
+
+DensityUpdate Rates::density_update(Flow& flow, Phase phase, double dt, double substep_weight) const {
+    const Model& model = setup_.model;
+    const bool water = phase == Phase::water;
+    DensityUpdate update;
+    update.rate = flow.fluid.density_rate.data();
+    update.mass = flow.fluid.mass.data();
+    update.first = water ? 0 : flow.fluid.water;
+    update.last = water ? flow.fluid.water : flow.fluid.size();
+    update.dt = dt;
+    update.eos = water ? model.water.eos : model.air.eos;
+    update.threads = setup_.execution.threads;
+    DensityBounds& bounds = update.bounds;
+    bounds.lowest =
+        (water && !model.negative_pressure ? 1 : lowest_density_ratio) * update.eos.reference_density;
+    if (dt > 0 && water && model.full_kernel_sum > 0 && substep_weight > 0)
+        bounds.kernel_sum = flow.fluid.kernel_sum.data();
+    bounds.full_kernel_sum = model.full_kernel_sum;
+    const double weight = model.gravity.norm() * setup_.particle_spacing;
+    bounds.open =
+        update.eos.reference_density * (1 + weight / (update.eos.sound_speed * update.eos.sound_speed));
+    return update;
+}
+
+void Rates::update_density(Flow& flow, double dt, double substep_weight) {
+    for (const Phase phase : {Phase::water, Phase::air})
+        passes_.update_density(flow.fluid.state.data(), density_update(flow, phase, dt, substep_weight));
+}
+
+double Rates::momentum_error(const Flow& flow) const {
+    if (list_.with_walls_own_lists()) return momentum_error(inputs(flow), flow);
+    // the reactions of the tank are summed from lists that this run does without
+    Flow copy = flow;
+    NeighbourList list = list_for(setup_, 0, true);
+    list.sort_fixed_walls(copy.walls);
+    list.build(copy.fluid, copy.walls, passes_.filter_near, setup_.execution.threads);
+    PassInput in = constants_;
+    in.model = &setup_.model;
+    set_state(in, copy, list);
+    return momentum_error(in, copy);
+}
+
+double Rates::momentum_error(PassInput in, const Flow& flow) const {
+    const FluidParticles& fluid = flow.fluid;
+    const WallParticles& walls = flow.walls;
+    std::vector<double> ax(fluid.size()), ay(fluid.size()), fx(walls.size(), 0), fy(walls.size(), 0);
+    in.acceleration_x = ax.data();
+    in.acceleration_y = ay.data();
+    in.wall_force_x = fx.data();
+    in.wall_force_y = fy.data();
+    in.fixed_walls = 0;  // the reactions of the tank, too
+    passes_.accelerations(in);
+    passes_.body_forces(in);
+    Vec2 sum = Vec2::Zero();
+    double sizes = 0;
+    const auto add = [&](Vec2 force) {
+        sum += force;
+        sizes += force.norm();
+    };
+    for (std::size_t i = 0; i < fluid.size(); ++i)
+        add(fluid.mass[i] * (Vec2(ax[i], ay[i]) - setup_.model.gravity));
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+        const double x = walls.state[n].x;  // walls run on beyond the ends of a periodic domain
+        const bool inside = x >= setup_.domain.low.x() && x < setup_.domain.high.x();
+        if (inside || !setup_.model.periodic_x) add({fx[n], fy[n]});
+    }
+    return sizes > 0 ? sum.norm() / sizes : 0;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The model applied to a flow: neighbour list, means at walls, rates of density and velocity, loads on
+// bodies.
+//
+// The substep weight says how often the pairs of water with water and walls count: the number of steps of the
+// air in one of the water, or 0 in those in which the water only drifts (see time/verlet.hpp).
+#pragma once
+
+#include <initializer_list>
+
+#include "solver/bodies/flow.hpp"
+#include "solver/core/execution.hpp"
+#include "solver/core/stage_timer.hpp"
+#include "solver/neighbours/neighbour_list.hpp"
+#include "solver/passes/pair_passes.hpp"
+
+namespace wetdeck {
+
+/// The constants of a simulation that its rates depend on.
+struct RatesSetup {
+    Model model;                  ///< with air_substeps resolved
+    Execution execution;          ///< with threads resolved
+    double particle_spacing = 0;  ///< [m]
+    Box domain;                   ///< interior of the tank [m]
+};
+
+/// Evaluates rates. It owns the list of neighbours and no part of the flow.
+class Rates {
+  public:
+    /// Sorts the tank's boundary particles along the grid of the list.
+    Rates(const RatesSetup& setup, Flow& flow);
+
+    /// Sorts the particles and lists their neighbours.
+    void build_list(Flow& flow);
+    /// Builds the list if particles that have moved by up to `farthest` [m] since the last call may have made
+    /// it incomplete.
+    void refresh_list(Flow& flow, double farthest);
+
+    /// Pressure and velocity of the fluid around each boundary particle, where the model uses them.
+    void wall_means(Flow& flow, double substep_weight);
+    /// Density rates and, with a positive weight, kernel sums.
+    void density(Flow& flow, double substep_weight);
+    /// Accelerations of the fluid.
+    void momentum(Flow& flow, double substep_weight);
+    /// Loads on the bodies, Eqs. (20)-(21), and their accelerations. Those of the water are kept between its
+    /// steps.
+    void body_loads(Flow& flow, double substep_weight);
+    /// Marks the particles on which the dissipation switch is on, Eqs. (14)-(15).
+    /// @param fastest  largest speed in the fluid [m/s]
+    void mark_impacts(Flow& flow, double fastest);
+    /// Densities from their rates over a step dt [s], volumes and pressures, and a drift over half of it. The
+    /// kernel sum bounds the density of water where the weight is positive.
+    void update_density(Flow& flow, double dt, double substep_weight);
+
+    /// All inputs of a pass over the present state; its outputs are not set.
+    PassInput inputs(const Flow& flow) const;
+    /// See Simulation::momentum_error.
+    double momentum_error(const Flow& flow) const;
+
+    const RatesSetup& setup() const { return setup_; }
+    WendlandC2 kernel() const { return constants_.kernel; }
+    NeighbourList& list() { return list_; }
+    const NeighbourList& list() const { return list_; }
+    const char* instruction_set() const { return passes_.instruction_set; }
+    std::uint64_t list_builds() const { return list_builds_; }
+    void set_list_builds(std::uint64_t count) { list_builds_ = count; }
+    /// The bodies as they were when the list was built.
+    const std::vector<RigidBody>& listed_bodies() const { return listed_bodies_; }
+    /// Particles of water that have air near: those that the steps of the air alone sum up.
+    std::uint64_t water_near_air() const { return water_near_air_; }
+    StageTimes& stages() { return stages_; }
+    const StageTimes& stages() const { return stages_; }
+
+  private:
+    PassInput pass_input(Flow& flow, double substep_weight) const;
+    double momentum_error(PassInput in, const Flow& flow) const;
+    DensityUpdate density_update(Flow& flow, Phase phase, double dt, double substep_weight) const;
+    void apply_sponge_layer(const FluidParticles& fluid,
+                            std::initializer_list<std::vector<double>*> rates) const;
+
+    RatesSetup setup_;
+    PairPasses passes_;
+    PassInput constants_;  ///< what stays the same over the run
+    NeighbourList list_;
+    std::vector<RigidBody> listed_bodies_;
+    std::uint64_t list_builds_ = 0, water_near_air_ = 0;
+    StageTimes stages_;
+};
+
+}  // namespace wetdeck

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sweeps over particles by themselves: density, pressure and drift at the end of a step; the filter of the
+// neighbour list.
+#include "solver/passes/isa_passes.hpp"
+#include "solver/passes/simd/lanes.hpp"
+
+namespace wetdeck::WETDECK_ISA {
+namespace {
+
+template <class Power>
+void update_with(FluidState* state, const DensityUpdate& u, Power power) {
+    const auto blocks = static_cast<std::int64_t>((u.last - u.first + cluster_width - 1) / cluster_width);
+#pragma omp parallel for schedule(static) num_threads(u.threads)
+    for (std::int64_t block = 0; block < blocks; ++block) {
+        Cluster eight;
+        eight.first = static_cast<std::uint32_t>(u.first) + static_cast<std::uint32_t>(block) * cluster_width;
+        eight.count = std::min(cluster_width, static_cast<std::uint32_t>(u.last) - eight.first);
+        Pack p[pack_width];
+        load_columns(state, eight, p);
+        Pack &x = p[0], &y = p[1], &pressure = p[4], &volume = p[5], &density = p[6];
+        const Pack vx = p[2], vy = p[3];
+        const Pack kernel_sum = u.bounds.kernel_sum ? load(u.bounds.kernel_sum, eight) : Pack(1.0);
+        density = u.bounds.limit(density + u.dt * load(u.rate, eight), kernel_sum, u.eos.reference_density);
+        const Pack ratio = density * (1 / u.eos.reference_density);
+        pressure = u.eos.coefficient() * (power(ratio) - 1.0) + u.eos.background_pressure;
+        volume = load(u.mass, eight) / density;
+        x += 0.5 * u.dt * vx;
+        y += 0.5 * u.dt * vy;
+        store_columns(p, state, eight);
+    }
+}
+
+}  // namespace
+
+void update_density(FluidState* state, const DensityUpdate& update) {
+    if (update.eos.exponent == 7) {
+        update_with(state, update, [](Pack x) { return power_seven(x); });
+    } else if (update.eos.exponent == 1.4) {
+        update_with(state, update, [](Pack x) { return power_seven_fifths(x); });
+    } else {
+        update_with(state, update, [exponent = update.eos.exponent](Pack x) {
+            for (int lane = 0; lane < pack_width; ++lane) x.lanes[lane] = std::pow(x.lanes[lane], exponent);
+            return x;
+        });
+    }
+}
+
+std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candidates, double reach,
+                          std::uint32_t* out) {
+    Pack px, py;
+    std::memcpy(&px.lanes, points.x, sizeof px.lanes);
+    std::memcpy(&py.lanes, points.y, sizeof py.lanes);
+    const Pack reach2 = reach * reach;
+    std::uint32_t found = 0;
+    for (std::uint32_t candidate = candidates.begin; candidate < candidates.end; ++candidate) {
+        const double* position = candidates.positions + candidate * candidates.stride;
+        const Pack x = px - position[0];
+        const Pack y = py - position[1];
+        out[found] = candidate;
+        found += any(x * x + y * y < reach2) ? 1 : 0;
+    }
+    return found;
+}
+
+}  // namespace wetdeck::WETDECK_ISA

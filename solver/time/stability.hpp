@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The bounds of a stable state: what ends a run, and why.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "solver/bodies/flow.hpp"
+#include "solver/physics/density_bounds.hpp"
+#include "solver/physics/model.hpp"
+
+namespace wetdeck {
+
+/// Speeds beyond this multiple of the sound speed end a run; with the bound on densities that keeps the step,
+/// C h/(c + v), from creeping towards zero.
+inline constexpr double highest_mach_number = 10;
+
+/// Why a run cannot go on.
+struct Instability {
+    double time = 0;                        ///< [s]
+    std::uint64_t step = 0;                 ///< steps done by then
+    std::optional<std::uint32_t> particle;  ///< id; none where a body is unstable
+    Vec2 position = Vec2::Zero();           ///< of the particle or of the body [m]
+    std::string quantity;                   ///< what left its range, with its value
+
+    /// One sentence for a person.
+    std::string describe() const;
+};
+
+/// The ranges that particles and bodies must stay in.
+class StabilityBounds {
+  public:
+    /// @param margin  how far beyond the tank a particle may be [m]
+    StabilityBounds(const Model& model, Box domain, double margin);
+
+    /// Whether a particle is within its ranges; its density rate must be a number, too, because the bounds of
+    /// the density would hide one that is not.
+    bool hold(const FluidState& p, double density_rate, Phase phase) const {
+        const auto k = static_cast<std::size_t>(phase);
+        const double ratio = p.density / reference_densities_[k];
+        return density_rate == density_rate && ratio > lowest_density_ratio &&
+               ratio < highest_density_ratio &&
+               p.vx * p.vx + p.vy * p.vy < highest_speeds_[k] * highest_speeds_[k] && p.x > outer_.low.x() &&
+               p.y > outer_.low.y() && p.x < outer_.high.x() && p.y < outer_.high.y();
+    }
+    /// What is wrong with a particle that is not; time and step are left to the caller.
+    Instability instability_of(const FluidParticles& fluid, std::size_t particle) const;
+    /// The first body that has left the tank or its range of speeds. The fluid does not notice it: nothing is
+    /// near.
+    std::optional<Instability> of_bodies(const std::vector<RigidBody>& bodies) const;
+
+    const std::array<double, phase_count>& reference_densities() const { return reference_densities_; }
+
+  private:
+    std::array<double, phase_count> reference_densities_, highest_speeds_;
+    Box tank_, outer_;
+};
+
+}  // namespace wetdeck

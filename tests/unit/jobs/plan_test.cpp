@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plan of a suite: its rows, their order, names, directories and states.
+#include "validation/jobs/plan.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "solver/core/errors.hpp"
+#include "tests/unit/scene/scene_samples.hpp"
+#include "tests/unit/store/store_samples.hpp"
+
+using namespace wetdeck;
+using samples::ScratchFolder;
+
+namespace {
+
+/// The plan of the small scene, two spacings of one variant, and a study of the air's density.
+struct SmallPlan {
+    ScratchFolder folder;
+    PlanOptions options;
+
+    SmallPlan() {
+        const std::string scene = folder / "small.toml";
+        samples::put_bytes(
+            scene,
+            samples::with("quick = { single-phase = [0.02, 0.04] }", "quick = { two-phase = [0.04, 0.02] }") +
+                "[[sensitivity]]\nkey = \"model.background_pressure\"\nlow = 400.0\nhigh = "
+                "600.0\nuncertainty = 50.0\nsource = \"made up\"\n");
+        options.scenes = {scene};
+        options.directory = folder / "out";
+    }
+};
+
+}  // namespace
+
+TEST_CASE("A plan has every spacing and both values of a varied input, the longest run first", "[plan]") {
+    const SmallPlan plan;
+    const std::vector<SuiteRow> rows = suite_rows(plan.options);
+    REQUIRE(rows.size() == 4);
+    const auto longer = [](const SuiteRow& a, const SuiteRow& b) {
+        return a.estimated_core_seconds > b.estimated_core_seconds;
+    };
+    CHECK(std::is_sorted(rows.begin(), rows.end(), longer));
+    CHECK(rows.back().particle_spacing == 0.04);
+    CHECK(rows.back().directory == plan.options.directory / "runs/small/two-phase/dx0.04");
+    CHECK(row_name(rows.back()) == plan.options.scenes[0] + " two-phase dx 0.04");
+    const auto low = std::find_if(rows.begin(), rows.end(), [](const SuiteRow& row) {
+        return row.overrides == std::vector<std::string>{"model.background_pressure=400"};
+    });
+    REQUIRE(low != rows.end());
+    CHECK(low->particle_spacing == 0.02);
+    CHECK(low->directory == plan.options.directory / "sensitivity/small/model.background_pressure=400");
+    CHECK(row_name(*low).ends_with(" dx 0.02 model.background_pressure=400"));
+    double sum = 0;
+    for (const SuiteRow& row : rows) sum += row.estimated_core_seconds;
+    CHECK(estimated_core_seconds(rows) == sum);
+}
+
+TEST_CASE("A row without a directory is neither finished nor interrupted", "[plan]") {
+    const SmallPlan plan;
+    for (const SuiteRow& row : suite_rows(plan.options)) {
+        CHECK_FALSE(finished(row));
+        CHECK_FALSE(interrupted(row));
+    }
+}
+
+TEST_CASE("A plan of an unknown tier or scene is refused", "[plan]") {
+    SmallPlan plan;
+    plan.options.tier = "slow";
+    CHECK_THROWS_WITH(suite_rows(plan.options), Catch::Contains("no tier 'slow', expected quick"));
+    plan.options.scenes = {"dam_brake"};
+    CHECK_THROWS_AS(suite_rows(plan.options), InputError);
+}

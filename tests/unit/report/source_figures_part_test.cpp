@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Figures of the sources: links into the page, and reasons where there is none.
+#include <catch2/catch.hpp>
+
+#include "tests/unit/report/report_samples.hpp"
+
+using namespace wetdeck;
+using samples::between;
+using samples::contains;
+using samples::page_of;
+
+namespace {
+
+Summary with_figures() {
+    Summary summary = samples::summary();
+    summary.scenes[0].source_figures = {
+        {"4", "the energy", {"tank-two-phase-energy", "section-tank-fields"}, "", "An author (2001)"},
+        {"5b", "waves <3>", {"tank-waves"}, "no gauge", "An author (2001)"},
+        {"1", "a photograph", {}, "not drawn", "Another author (1999)"}};
+    return summary;
+}
+
+}  // namespace
+
+TEST_CASE("Figures of each source are listed with links to what the page shows", "[report]") {
+    const std::string page = page_of(with_figures());
+    const std::string table = between(page, "<h4>An author (2001)</h4>", "</table>");
+    CHECK(contains(table, "<td>4</td><td>the energy</td><td><a href=\"#tank-two-phase-energy\">"));
+    CHECK(contains(table, "<a href=\"#tank-two-phase-energy-change\">"));
+    CHECK(contains(table, "<a href=\"#section-tank-fields\">tank Fields</a>"));
+    CHECK(contains(page, "id=\"tank-two-phase-energy\""));
+    CHECK(contains(page, "id=\"section-tank-fields\""));
+    const std::string other = between(page, "<h4>Another author (1999)</h4>", "</table>");
+    CHECK(contains(other, "<td>1</td><td>a photograph</td><td>—</td><td>not drawn</td>"));
+}
+
+TEST_CASE("A figure without a counterpart has a reason", "[report]") {
+    Summary summary = with_figures();
+    CHECK(contains(page_of(summary),
+                   "<td>5b</td><td>waves &lt;3&gt;</td><td>Not shown: the runs in this directory do not hold "
+                   "the data for it.</td><td>no gauge</td>"));
+    summary.runs.clear();
+    summary.missing = {"runs/tank"};
+    CHECK(contains(page_of(summary), "Not shown: this directory holds no run of the scene."));
+}
+
+TEST_CASE("Scenes without figures of a source have no such chapter", "[report]") {
+    CHECK_FALSE(contains(page_of(samples::summary()), "Figures of the sources"));
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// [[source_figures]]: figures of a scene's sources and where the report shows the same.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "reports/page/html.hpp"
+#include "tests/unit/scene/scene_samples.hpp"
+
+using namespace wetdeck;
+using Catch::Contains;
+using Catch::EndsWith;
+using samples::refusal;
+using samples::small_scene;
+
+namespace {
+
+std::string figure(const std::string& keys) {
+    return "\n[[source_figures]]\n" + keys;
+}
+
+const std::string sound = "number = \"3a\"\nshows = \"the front\"\nplaces = [\"small-two-phase-front\"]\n";
+
+}  // namespace
+
+TEST_CASE("Figures of the source are read in the order of the file", "[source_figures]") {
+    const std::string others =
+        "number = \"3a\"\nshows = \"a photograph\"\nremark = \"not drawn\"\nsource = \"another author\"\n";
+    const Scene scene = parse_scene(small_scene + figure(sound) + figure(others), "small.toml");
+    REQUIRE(scene.analysis.source_figures.size() == 2);
+    const SourceFigure& first = scene.analysis.source_figures[0];
+    CHECK(first.number == "3a");
+    CHECK(first.shows == "the front");
+    CHECK(first.places == std::vector<std::string>{"small-two-phase-front"});
+    CHECK(first.remark.empty());
+    CHECK(first.source == "none");  // the scene's own
+    const SourceFigure& second = scene.analysis.source_figures[1];
+    CHECK(second.places.empty());
+    CHECK(second.remark == "not drawn");
+    CHECK(second.source == "another author");
+}
+
+TEST_CASE("A wrong entry of the figures is named with its line and key", "[source_figures]") {
+    const auto refused = [](const std::string& keys) { return refusal(small_scene + figure(keys)); };
+    const auto lines = static_cast<int>(std::count(small_scene.begin(), small_scene.end(), '\n'));
+    CHECK(refused(sound + "colour = \"red\"\n") ==
+          "small.toml:" + std::to_string(lines + 6) +
+              ": key 'source_figures[0].colour': unknown, expected one of number, places, remark, shows, "
+              "source");
+    CHECK_THAT(refused("shows = \"x\"\nremark = \"y\"\n"),
+               EndsWith("key 'source_figures[0].number': missing, expected a text"));
+    CHECK_THAT(refused("number = 3\nshows = \"x\"\nremark = \"y\"\n"),
+               EndsWith("key 'source_figures[0].number': expected a text in quotes"));
+    CHECK_THAT(refused("number = \"\"\nshows = \"x\"\nremark = \"y\"\n"),
+               EndsWith("key 'source_figures[0].number': expected the number of a figure"));
+    CHECK_THAT(refused("number = \"3\"\nremark = \"y\"\n"),
+               EndsWith("key 'source_figures[0].shows': missing, expected a text"));
+    CHECK_THAT(refused("number = \"3\"\nshows = \"x\"\n"),
+               EndsWith("key 'source_figures[0].places': missing, expected a list of anchors of the report, "
+                        "or a remark that says why there is no counterpart"));
+    CHECK_THAT(refused("number = \"3\"\nshows = \"x\"\nplace = [\"a\"]\n"),
+               Contains("key 'source_figures[0].place': unknown; 'places' is missing"));
+    CHECK_THAT(refused("number = \"3\"\nshows = \"x\"\nplaces = []\n"),
+               Contains("key 'source_figures[0].places': expected a list of anchors"));
+    CHECK_THAT(refused("number = \"3\"\nshows = \"x\"\nplaces = \"a\"\n"),
+               EndsWith("key 'source_figures[0].places': expected a list of texts"));
+    CHECK_THAT(refused("number = \"3\"\nshows = \"x\"\nplaces = [\"#Front\"]\n"),
+               EndsWith("key 'source_figures[0].places': '#Front' is no anchor of the report, expected "
+                        "lower-case letters, digits and hyphens"));
+    CHECK_THAT(refused(sound + figure(sound)),
+               EndsWith("key 'source_figures[1].number': '3a' is used twice for one source"));
+    CHECK_THAT(refusal(small_scene + "\n[source_figures]\nnumber = \"3\"\n"),
+               Contains("key 'source_figures': expected an array of tables"));
+}
+
+TEST_CASE("Figures of the shipped scenes point into the chapter of their scene", "[source_figures]") {
+    std::size_t figures = 0;
+    for (const std::string& name : scene_names()) {
+        const Scene scene = read_scene(find_scene(name));
+        const std::string anchor = report::slug(name);
+        for (const SourceFigure& source : scene.analysis.source_figures) {
+            ++figures;
+            CHECK_FALSE(source.places.empty());
+            for (const std::string& place : source.places) {
+                INFO(name << " " << place);
+                const bool own = place.rfind(anchor + "-", 0) == 0 ||
+                                 place.rfind("section-" + anchor + "-", 0) == 0 ||
+                                 place == "set-up-" + anchor;
+                CHECK(own);
+            }
+        }
+    }
+    CHECK(figures == 22);  // each figure of results in the source of five scenes
+}

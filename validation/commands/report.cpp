@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/commands/report.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "validation/commands/commands.hpp"
+#include "validation/commands/options.hpp"
+#include "validation/commands/publish.hpp"
+#include "validation/commands/stored_report.hpp"
+#include "validation/run/exit_code.hpp"
+
+namespace wetdeck {
+namespace {
+
+struct ReportOptions {
+    std::string directory;
+    std::string publish;  ///< folder; empty: nowhere
+};
+
+int report_command(const ReportOptions& options) {
+    const Summary summary = make_report(options.directory);
+    const int verdict = print_verdict(summary, options.directory);
+    if (!options.publish.empty()) publish(summary, options.directory, options.publish);
+    return verdict;
+}
+
+}  // namespace
+
+int print_verdict(const Summary& summary, const std::filesystem::path& directory) {
+    fmt::print("report: {}\n", (directory / "index.html").string());
+    const std::vector<std::string> outside = outside_tolerance(summary);
+    if (outside.empty()) return exit_done;
+    constexpr std::size_t most = 3;
+    fmt::print("outside tolerance ({}; the report shows all):\n", outside.size());
+    for (std::size_t k = 0; k < std::min(most, outside.size()); ++k) fmt::print("  {}\n", outside[k]);
+    if (outside.size() > most) fmt::print("  and {} more\n", outside.size() - most);
+    return exit_outside;
+}
+
+void add_report(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<ReportOptions>();
+    CLI::App& command = *app.add_subcommand("report", "write the report again from the stored runs");
+    add_directory(command, options->directory, "directory of a suite or a run");
+    command
+        .add_option("--publish", options->publish,
+                    "also write small tables and figures to DIR/TIER, to be kept in a repository")
+        ->type_name("DIR");
+    command.callback([options, &exit_code] { exit_code = report_command(*options); });
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `wetdeck run`: one run of a scene.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "solver/core/errors.hpp"
+#include "validation/commands/commands.hpp"
+#include "validation/commands/options.hpp"
+#include "validation/commands/run_outcome.hpp"
+#include "validation/jobs/plan.hpp"
+#include "validation/run/stop_signal.hpp"
+
+namespace wetdeck {
+namespace {
+
+struct RunCommand {
+    std::string scene;
+    RunChoice choice;
+    std::vector<std::string> overrides;
+    std::string directory;
+    Resources resources;
+    bool replace = false;
+    Verbosity verbosity;
+};
+
+double finest_quick_spacing(const Scene& scene) {
+    const auto tier = scene.tiers.find("quick");
+    if (tier == scene.tiers.end() || tier->second.count(scene.variant) == 0)
+        throw InputError("--dx is missing: the scene names no quick spacing for this variant");
+    return tier->second.at(scene.variant).back();
+}
+
+int run_command(const RunCommand& options) {
+    catch_stop_signals();
+    const Scene scene = read_scene(find_scene(options.scene), options.choice.variant, options.overrides);
+    for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+    RunOptions run;
+    run.particle_spacing =
+        options.choice.particle_spacing ? *options.choice.particle_spacing : finest_quick_spacing(scene);
+    run.until = options.choice.until;
+    run.replace = options.replace;
+    run.directory = options.directory.empty()
+                        ? run_path("results", scene.name(), scene.variant, run.particle_spacing)
+                        : std::filesystem::path(options.directory);
+    return run_and_print(scene, run, options.resources, options.verbosity);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+    const auto options = std::make_shared<RunCommand>();
+    CLI::App& command = *app.add_subcommand("run", "one run of a scene");
+    add_scene(command, options->scene);
+    add_run_choice(command, options->choice, "the finest of the quick tier");
+    command
+        .add_option("--set", options->overrides,
+                    "override a key of the scene file; may be given several times")
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE");
+    add_out(command, options->directory, "results/runs/SCENE/VARIANT/dxDX");
+    command.add_flag("--replace", options->replace, "replace the run that the directory holds");
+    add_resources(command, options->resources);
+    add_verbosity(command, options->verbosity);
+    command.footer("If the directory holds a checkpoint of the same run, the run continues from there.");
+    command.callback([options, &exit_code] { exit_code = run_command(*options); });
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plan of a suite: which runs a tier consists of (scene x variant x spacing, and the inputs of the
+// sensitivity study), where each is stored, and which are done.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "validation/run/run.hpp"
+
+namespace wetdeck {
+
+struct SuiteRow {
+    std::string scene;  ///< name or path
+    std::string variant;
+    double particle_spacing = 0;
+    double estimated_core_seconds = 0;
+    std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of the sensitivity study
+    std::filesystem::path directory;     ///< of the run
+    std::optional<double> until = {};    ///< stop time [s], the scene's if absent
+    bool expected_unstable = false;      ///< its variant is known to become unstable: no failure
+};
+
+struct PlanOptions {
+    std::string tier = "quick";
+    std::vector<std::string> scenes;  ///< empty: all that come with the program
+    std::filesystem::path directory;
+};
+
+/// How each row is run.
+struct RowOptions {
+    int threads = 0;                                                ///< 0: left to the executor
+    bool fresh = false;                                             ///< run again what is finished
+    double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< wall seconds
+};
+
+/// Every row of the tier, longest first, and two for each [[sensitivity]] of a scene (low and high, at the
+/// middle spacing of the default variant). Throws InputError for an unknown tier or scene.
+std::vector<SuiteRow> suite_rows(const PlanOptions& options);
+
+/// "scene variant dx SPACING", followed by the override or, where there are several, by the name of the
+/// directory.
+std::string row_name(const SuiteRow& row);
+
+/// Whether the directory holds this very run, finished.
+bool finished(const SuiteRow& row);
+/// Whether it holds a checkpoint of this very run.
+bool interrupted(const SuiteRow& row);
+
+/// Estimated core seconds of all rows.
+double estimated_core_seconds(const std::vector<SuiteRow>& rows);
+
+/// Where rows of the sensitivity study lie: DIR/sensitivity/SCENE/KEY=VALUE
+std::filesystem::path sensitivity_path(const std::filesystem::path& directory, const std::string& scene,
+                                       const std::string& assignment);
+
+/// DIR/runs/SCENE/VARIANT/dxDX
+std::filesystem::path run_path(const std::filesystem::path& directory, const std::string& scene,
+                               const std::string& variant, double particle_spacing);
+
+}  // namespace wetdeck

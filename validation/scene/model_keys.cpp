@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/scene/model_keys.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "solver/time/time_step.hpp"
+
+namespace wetdeck {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// A row whose value is a member of the model.
+template <class Value>
+ModelKey model_row(const char* key, Value Model::*member, const char* meaning, const char* equation) {
+    ModelKey row{"model", key, meaning, "-", equation};
+    row.get = [member](const Scene& s) -> KeyValue { return s.model.*member; };
+    row.set = [member](Scene& s, const KeyValue& v) { s.model.*member = std::get<Value>(v); };
+    return row;
+}
+
+ModelKey number(const char* key, double Model::*member, std::pair<double, double> range, const char* meaning,
+                const char* equation = "") {
+    ModelKey row = model_row(key, member, meaning, equation);
+    std::tie(row.low, row.high) = range;
+    return row;
+}
+
+ModelKey flag(const char* key, bool Model::*member, const char* meaning, const char* equation = "") {
+    ModelKey row = model_row(key, member, meaning, equation);
+    row.unit.clear();
+    return row;
+}
+
+/// @param names  of the enumerators, in their order
+template <class Enum>
+ModelKey choice(const char* key, Enum Model::*member, std::vector<std::string> names, const char* meaning,
+                const char* equation = "") {
+    ModelKey row{"model", key, meaning, "", equation};
+    row.names = names;
+    row.get = [member, names](const Scene& s) -> KeyValue {
+        return names.at(static_cast<std::size_t>(s.model.*member));
+    };
+    row.set = [member, names](Scene& s, const KeyValue& v) {
+        const auto found = std::find(names.begin(), names.end(), std::get<std::string>(v));
+        s.model.*member = static_cast<Enum>(found - names.begin());
+    };
+    return row;
+}
+
+/// A row of a fluid's table.
+ModelKey material_row(const char* table, const char* key, double& (*value)(Scene&), const char* meaning,
+                      const char* unit) {
+    ModelKey row{table, key, meaning, unit, ""};
+    row.get = [value](const Scene& s) -> KeyValue { return value(const_cast<Scene&>(s)); };
+    row.set = [value](Scene& s, const KeyValue& v) { value(s) = std::get<double>(v); };
+    return row;
+}
+
+/// The ingredient is present where its key has another value than `off`, and where `also` holds.
+ModelKey removable(ModelKey row, const char* ingredient, const KeyValue& off,
+                   std::function<bool(const Scene&)> also = {}) {
+    const std::string assignment = fmt::format("{}={}", row.dotted(), toml_text(off));
+    Removal removal;
+    removal.ingredient = ingredient;
+    removal.present = [get = row.get, off, also](const Scene& s) {
+        return get(s) != off && (!also || also(s));
+    };
+    removal.overrides = [assignment](const Scene&) { return std::vector{assignment}; };
+    row.removal = std::move(removal);
+    return row;
+}
+
+/// The same, with overrides besides.
+ModelKey removable_with(ModelKey row, const char* ingredient, const KeyValue& off, std::string besides) {
+    row = removable(std::move(row), ingredient, off);
+    row.removal->overrides = [inner = row.removal->overrides, besides](const Scene& s) {
+        std::vector<std::string> all = inner(s);
+        all.push_back(besides);
+        return all;
+    };
+    return row;
+}
+
+bool low_dissipation(const Scene& s) {
+    return s.model.dissipation == Dissipation::low_dissipation;
+}
+bool low_dissipation_with_air(const Scene& s) {
+    return low_dissipation(s) && s.air;
+}
+bool linear_pressure_mean(const Scene& s) {  // the harmonic mean of pressures is singular without background
+    return s.model.pressure_mean != Mean::harmonic;
+}
+
+ModelKey air_row() {
+    ModelKey row{"model", "air", "whether the air is computed; false: water alone", "", ""};
+    row.get = [](const Scene& s) -> KeyValue { return s.air; };
+    row.set = [](Scene& s, const KeyValue& v) { s.air = std::get<bool>(v); };
+    return removable_with(std::move(row), "air", false, "model.background_pressure=0");
+}
+
+ModelKey dissipation_row() {
+    return removable(
+        choice("dissipation", &Model::dissipation, {"none", "riemann", "low-dissipation"},
+               "Riemann dissipation: none, in full, or limited to approaching pairs", "Eq. (10)"),
+        "Riemann dissipation", std::string("none"),
+        [](const Scene& s) { return s.model.dissipation == Dissipation::riemann; });
+}
+
+ModelKey dissipation_slope_row() {
+    ModelKey row = removable(number("dissipation_slope", &Model::dissipation_slope, {0, unbounded},
+                                    "slope of the limiter min(slope du/c, 1), pairs of water with water"),
+                             "water dissipation", 0.0, low_dissipation);
+    row.removal->overrides = [](const Scene& s) {  // that of pairs with air must stay
+        return std::vector<std::string>{s.air ? "model.dissipation_slope=0" : "model.dissipation=none"};
+    };
+    return row;
+}
+
+ModelKey background_pressure_row() {
+    ModelKey row{"model", "background_pressure", "background pressure p0 of both fluids", "Pa", "Eq. (2)"};
+    row.get = [](const Scene& s) -> KeyValue { return s.model.water.eos.background_pressure; };
+    row.set = [](Scene& s, const KeyValue& v) {
+        s.model.water.eos.background_pressure = s.model.air.eos.background_pressure = std::get<double>(v);
+    };
+    return removable(std::move(row), "background pressure", 0.0, linear_pressure_mean);
+}
+
+ModelKey air_substeps_row() {
+    ModelKey row{"model", "air_substeps", "steps of the air in one of the water; 0: from the sound speeds",
+                 "-", ""};
+    row.high = 99;
+    row.odd = true;
+    row.default_note = "0";
+    row.get = [](const Scene& s) -> KeyValue { return static_cast<double>(s.model.air_substeps); };
+    row.set = [](Scene& s, const KeyValue& v) {
+        s.model.air_substeps = static_cast<int>(std::get<double>(v));
+    };
+    return removable(std::move(row), "steps of the air", 1.0,
+                     [](const Scene& s) { return s.air && air_substeps(s.model) > 1; });
+}
+
+ModelKey skin_row() {
+    ModelKey row{"execution", "skin", "skin of the neighbour list over the smoothing length", "-", ""};
+    row.low = 0.05;
+    row.high = 1;
+    row.default_note = "0.2 with air, 0.4 without";
+    row.get = [](const Scene& s) -> KeyValue { return s.execution.skin; };
+    row.set = [](Scene& s, const KeyValue& v) { s.execution.skin = std::get<double>(v); };
+    return row;
+}
+
+ModelKey with_default(ModelKey row, const char* note) {
+    row.default_note = note;
+    return row;
+}
+
+std::vector<ModelKey> rows() {
+    const std::vector<std::string> means = {"arithmetic", "density-weighted", "impedance-weighted",
+                                            "harmonic"};
+    return {
+        air_row(),
+        removable(
+            choice("viscosity", &Model::viscosity, {"none", "approaching", "symmetric"},
+                   "physical viscosity: none, of approaching pairs as printed, or of both signs", "Eq. (13)"),
+            "viscosity", std::string("none")),
+        removable(flag("hydrostatic_correction", &Model::hydrostatic_correction,
+                       "the pressure jump counts only beyond the hydrostatic jump"),
+                  "hydrostatic correction", false),
+        dissipation_row(),
+        dissipation_slope_row(),
+        removable(number("air_dissipation", &Model::air_dissipation, {0, unbounded},
+                         "share of the full Riemann dissipation in pairs with air"),
+                  "air dissipation", 0.0, low_dissipation_with_air),
+        removable(number("wall_dissipation", &Model::wall_dissipation, {0, unbounded},
+                         "slope of the limiter of the dissipation normal to walls"),
+                  "wall dissipation", 0.0),
+        removable(
+            choice("wall_velocity", &Model::wall_velocity, {"normal", "mirrored"},
+                   "walls reverse the normal velocity alone, or move along their face with the water, too",
+                   "Eqs. (16)-(18)"),
+            "mirrored wall velocity", std::string("normal")),
+        removable(
+            choice(
+                "wall_pressure", &Model::wall_pressure, {"one-sided", "shepard", "shepard-water"},
+                "pressure of walls: pair by pair, Shepard mean, or Shepard mean of the water for the water",
+                "Eqs. (17), (19)"),
+            "Shepard wall pressure", std::string("one-sided")),
+        background_pressure_row(),
+        removable(number("pressure_diffusion", &Model::pressure_diffusion, {0, unbounded},
+                         "factor on the pressure jump in u*, 1 is the Riemann value", "Eq. (10)"),
+                  "pressure diffusion", 0.0),
+        removable(number("full_kernel_sum", &Model::full_kernel_sum, {0, 1},
+                         "kernel sum from which the density of water may rise; 0: any"),
+                  "density bound", 0.0),
+        // the switch needs the rates of each step of the air
+        removable_with(
+            flag("dissipation_switch", &Model::dissipation_switch, "switched dissipation", "Eqs. (14)-(15)"),
+            "switched dissipation", false, "model.air_substeps=1"),
+        air_substeps_row(),
+        choice("velocity_mean", &Model::velocity_mean, means, "inter-particle mean of velocities",
+               "Eq. (11)"),
+        choice("pressure_mean", &Model::pressure_mean, means, "inter-particle mean of pressures", "Eq. (11)"),
+        choice("mean_guard", &Model::mean_guard, {"division", "same-sign-arithmetic", "same-sign-zero"},
+               "what stands for a harmonic mean where the two signs differ", "Eq. (11)"),
+        choice("impedance_mean", &Model::impedance_mean, {"arithmetic", "harmonic"},
+               "mean of rho c in u*: of the reference states, or harmonic of the present ones",
+               "Eqs. (10)-(11)"),
+        choice("wall_slip", &Model::wall_slip, {"free", "no"}, "whether walls drag the fluid along",
+               "Eq. (18)"),
+        number("sponge_thickness", &Model::sponge_thickness, {0, unbounded},
+               "thickness of the sponge layer along the tank's walls [m]; 0: none", "Eqs. (24)-(25)"),
+        with_default(
+            flag("negative_pressure", &Model::negative_pressure,
+                 "whether water may be rarefied; false: its density is kept at or above the reference"),
+            "true with air, false without"),
+        number("smoothing_ratio", &Model::smoothing_ratio, {1, 3}, "smoothing length over particle spacing",
+               "Eq. (7)"),
+        number("courant_number", &Model::courant_number, {1e-12, 2}, "of the acoustic time step", "Eq. (26)"),
+        skin_row(),
+        material_row(
+            "water", "density", [](Scene& s) -> double& { return s.model.water.eos.reference_density; },
+            "reference density of the water", "kg/m^3"),
+        material_row(
+            "water", "sound_speed", [](Scene& s) -> double& { return s.model.water.eos.sound_speed; },
+            "sound speed of the water", "m/s"),
+        material_row(
+            "water", "exponent", [](Scene& s) -> double& { return s.model.water.eos.exponent; },
+            "exponent gamma of the water's equation of state", "-"),
+        material_row(
+            "water", "viscosity", [](Scene& s) -> double& { return s.model.water.viscosity; },
+            "dynamic viscosity of the water", "Pa s"),
+        material_row(
+            "air", "density", [](Scene& s) -> double& { return s.model.air.eos.reference_density; },
+            "reference density of the air", "kg/m^3"),
+        material_row(
+            "air", "sound_speed", [](Scene& s) -> double& { return s.model.air.eos.sound_speed; },
+            "sound speed of the air, as its law gives it", "m/s"),
+        material_row(
+            "air", "exponent", [](Scene& s) -> double& { return s.model.air.eos.exponent; },
+            "exponent gamma of the air's equation of state", "-"),
+        material_row(
+            "air", "viscosity", [](Scene& s) -> double& { return s.model.air.viscosity; },
+            "dynamic viscosity of the air", "Pa s"),
+    };
+}
+
+/// The value that the table gives for a row.
+KeyValue read_value(const TomlTable& table, const ModelKey& row, const KeyValue& fallback) {
+    if (!row.names.empty()) return table.choice(row.key, row.names);
+    if (std::holds_alternative<bool>(fallback)) return table.boolean_or(row.key, std::get<bool>(fallback));
+    const double value = table.number(row.key);
+    const bool in_range = value >= row.low && value <= row.high;
+    const bool fits = !row.odd || value == 0 || std::fmod(value, 2) == 1;
+    if (!in_range || !fits) table.fail(row.key, fmt::format("is {}, expected {}", value, row.expected()));
+    return value;
+}
+
+}  // namespace
+
+std::string toml_text(const KeyValue& value) {
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+    return std::get<std::string>(value);
+}
+
+std::string ModelKey::expected() const {
+    if (!names.empty()) return fmt::format("one of {}", fmt::join(names, ", "));
+    if (unit.empty()) return "true or false";
+    if (odd) return fmt::format("an odd number up to {}, or 0", high);
+    if (std::isinf(high)) return low == 0 ? "zero or a positive number" : fmt::format("at least {}", low);
+    return low > 0 && low < 1e-6 ? fmt::format("above 0 and at most {}", high)
+                                 : fmt::format("{} to {}", low, high);
+}
+
+const std::vector<ModelKey>& model_keys() {
+    static const std::vector<ModelKey> all = rows();
+    return all;
+}
+
+void read_model_keys(const TomlTable& table, const std::string& name, Scene& scene) {
+    for (const ModelKey& row : model_keys()) {
+        if (row.table == name && table.has(row.key)) row.set(scene, read_value(table, row, row.get(scene)));
+    }
+}
+
+std::vector<std::pair<std::string, KeyValue>> parameters_of(const Scene& scene) {
+    std::vector<std::pair<std::string, KeyValue>> parameters;
+    for (const ModelKey& row : model_keys())
+        if (row.table != "air" || scene.air) parameters.emplace_back(row.dotted(), row.get(scene));
+    return parameters;
+}
+
+}  // namespace wetdeck

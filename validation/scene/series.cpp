@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/scene/series.hpp"
+
+#include <fmt/format.h>
+
+namespace wetdeck {
+namespace {
+
+using Fluid = const Balance&;
+using State = const Simulation&;
+using Body = const RigidBody&;
+
+}  // namespace
+
+const std::vector<FluidSeries>& every_run_series() {
+    static const std::vector<FluidSeries> table = {
+        {{"energy_kinetic", "J/m", "kinetic energy of all fluid"}, [](State, Fluid f) { return f.kinetic; }},
+        {{"energy_potential", "J/m", "potential energy of all fluid, zero at the tank's corner"},
+         [](State, Fluid f) { return f.potential; }},
+        {{"energy_compression", "J/m", "elastic energy of all fluid against its reference density"},
+         [](State, Fluid f) { return f.compression; }},
+        {{"momentum_x", "N s/m", "momentum of all fluid along x"},
+         [](State, Fluid f) { return f.momentum.x(); }},
+        {{"momentum_y", "N s/m", "momentum of all fluid along y"},
+         [](State, Fluid f) { return f.momentum.y(); }},
+        {{"mass", "kg/m", "mass of all fluid"}, [](State, Fluid f) { return f.mass; }},
+        {{"density_error_max", "-", "largest |rho/rho0 - 1| of the water"},
+         [](State, Fluid f) { return f.water_density_error; }},
+        {{"particles_outside", "-", "fluid particles beyond the tank's faces"},
+         [](State, Fluid f) { return static_cast<double>(f.outside); }},
+        {{"time_step", "s", "stable time step of the water"},
+         [](State s, Fluid) { return s.time_step().size; }},
+        {{"momentum_error", "-",
+          "forces on all fluid less gravity and less the reactions on walls and bodies, over the sum of "
+          "their sizes; at every 16th sample"},
+         [](State s, Fluid) { return s.momentum_error(); },
+         16}};  // it costs a pass over all pairs
+    return table;
+}
+
+const std::vector<BodySeries>& recorded_body_series() {
+    static const std::vector<BodySeries> table = {
+        {{"body_x", "m", "mass centre"}, [](Body b) { return b.position.x(); }},
+        {{"body_y", "m", "mass centre"}, [](Body b) { return b.position.y(); }},
+        {{"body_angle", "rad", "counter-clockwise"}, [](Body b) { return b.angle; }},
+        {{"body_velocity_x", "m/s", "of the mass centre"}, [](Body b) { return b.velocity.x(); }},
+        {{"body_velocity_y", "m/s", "of the mass centre, up"}, [](Body b) { return b.velocity.y(); }},
+        {{"body_angular_velocity", "rad/s", "counter-clockwise"}, [](Body b) { return b.angular_velocity; }},
+        {{"body_impulse_x", "N s/m", "time integral of the fluid's force since the start"},
+         [](Body b) { return b.impulse.x(); }},
+        {{"body_impulse_y", "N s/m", "time integral of the fluid's force since the start, up"},
+         [](Body b) { return b.impulse.y(); }},
+        {{"body_angular_impulse", "N s", "time integral of the fluid's torque about the mass centre"},
+         [](Body b) { return b.angular_impulse; }},
+        {{"body_work", "J/m", "work of the fluid on the body since the start"},
+         [](Body b) { return b.work; }}};
+    return table;
+}
+
+const std::vector<DerivedSeries>& derived_body_series() {
+    static const std::vector<DerivedSeries> table = {
+        {{"body_force_x", "N/m", "force of the fluid"}, "body_impulse_x"},
+        {{"body_force_y", "N/m", "force of the fluid, without weight, up"}, "body_impulse_y"},
+        {{"body_torque", "N", "torque of the fluid about the mass centre"}, "body_angular_impulse"},
+        {{"body_acceleration_x", "m/s^2", "of the mass centre"}, "body_velocity_x"},
+        {{"body_acceleration_y", "m/s^2", "of the mass centre, up"}, "body_velocity_y"},
+        {{"body_force_y_filtered", "N/m", "force of the fluid, up"}, "body_impulse_y", true},
+        {{"body_acceleration_y_filtered", "m/s^2", "of the mass centre, up"}, "body_velocity_y", true}};
+    return table;
+}
+
+std::string body_series_name(const std::string& name, std::size_t body) {
+    return body == 0 ? name : fmt::format("{}_{}", name, body + 1);
+}
+
+}  // namespace wetdeck

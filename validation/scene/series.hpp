@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The series that a run records beside its probes: of the whole fluid and of each body. A new one is a row of
+// a table in series.cpp.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "solver/probes/energy.hpp"
+#include "solver/simulation.hpp"
+
+namespace wetdeck {
+
+/// A series that a run records.
+struct SeriesInfo {
+    std::string name;
+    std::string unit;
+    std::string description;
+    std::vector<double> abscissa = {};  ///< of the columns of a profile, empty for a scalar
+};
+
+/// A series of every run, whatever its scene. Between the samples at which it is taken the last value is
+/// repeated.
+struct FluidSeries {
+    SeriesInfo info;
+    double (*value)(const Simulation&, const Balance&);
+    std::size_t samples_between = 1;
+};
+const std::vector<FluidSeries>& every_run_series();
+
+/// A series of each body.
+struct BodySeries {
+    SeriesInfo info;
+    double (*value)(const RigidBody&);
+};
+const std::vector<BodySeries>& recorded_body_series();
+
+/// What follows from a recorded series of a body when the run has ended: its rate of change.
+struct DerivedSeries {
+    SeriesInfo info;
+    const char* recorded;
+    bool filtered = false;  ///< as a moving mean of the scene's width
+};
+const std::vector<DerivedSeries>& derived_body_series();
+
+/// "body_force_y" for the first body, "body_force_y_2" for the second.
+std::string body_series_name(const std::string& name, std::size_t body);
+
+}  // namespace wetdeck
