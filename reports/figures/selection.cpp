@@ -117,8 +117,8 @@ std::string run_name(const RunSummary& run) {
 }
 
 std::string provenance_of(const RunRecord& record, const std::string& key) {
-    const auto entry = record.choices.find(key);
-    return entry == record.choices.end() ? "unknown" : entry->second;
+    const auto entry = record.provenance.find(key);
+    return entry == record.provenance.end() ? "unknown" : entry->second;
 }
 
 std::string revision_of(const RunSummary& run) {
@@ -142,10 +142,10 @@ std::string stamp_of(const Summary& summary) {
         if (named++ == 3) return out + " and others";
         out += (named == 1 ? " " : ", ") + revision;
     }
-    const auto& choices = summary.runs.front().record.choices;
+    const auto& entries = summary.runs.front().record.provenance;
     for (const char* key : {"compiler", "cpu"}) {
-        const auto found = choices.find(key);
-        if (found != choices.end()) out += "; " + found->second;
+        const auto found = entries.find(key);
+        if (found != entries.end()) out += "; " + found->second;
     }
     return out;
 }

@@ -14,8 +14,8 @@ namespace {
 /// The hash that a run recorded for a reference in its list "NAME HASH, NAME HASH"; empty if it did not use
 /// it.
 std::string recorded_hash(const RunRecord& record, const std::string& reference) {
-    const auto list = record.choices.find("reference_hashes");
-    if (list == record.choices.end()) return "";
+    const auto list = record.provenance.find("reference_hashes");
+    if (list == record.provenance.end()) return "";
     const std::string entries = ", " + list->second;
     const std::string start = ", " + reference + " ";
     const std::size_t at = entries.find(start);
@@ -62,7 +62,7 @@ std::string references_table(const Runs& runs) {
 std::string provenance_table(const Runs& runs) {
     std::map<std::string, std::map<std::string, std::vector<std::string>>> entries;  // key, value, runs
     for (const RunSummary* run : runs) {
-        for (const auto& [key, content] : run->record.choices) {
+        for (const auto& [key, content] : run->record.provenance) {
             entries[key][content].push_back(
                 fmt::format("{} {}", run->record.variant, spacing_text(run->record.particle_spacing)));
         }

@@ -54,9 +54,9 @@ TEST_CASE("a run's store tells what was run, by what, where and at what cost", "
          {"program_version", "commit", "compiler", "compiler_flags", "build_type", "libraries", "simd", "cpu",
           "host", "cores", "threads", "start_time", "resolved_scene"}) {
         INFO(key);
-        REQUIRE_FALSE(record.choices.at(key).empty());
+        REQUIRE_FALSE(record.provenance.at(key).empty());
     }
-    REQUIRE_THAT(record.choices.at("resolved_scene"), Contains("background_pressure = 0.0"));
+    REQUIRE_THAT(record.provenance.at("resolved_scene"), Contains("background_pressure = 0.0"));
     for (const char* key :
          {"particle_spacing", "smoothing_length", "gravity_y", "water.sound_speed", "model.courant_number"}) {
         INFO(key);
@@ -83,7 +83,7 @@ TEST_CASE("overrides are kept with the run", "[faults]") {
     REQUIRE(run_program(arguments).code == 0);
     const RunRecord record = read_run(folder / "run/run.h5");
     REQUIRE(record.parameters.at("run.end_time") == 0.01);
-    REQUIRE_THAT(record.choices.at("resolved_scene"), Contains("dissipation = 'riemann'"));
+    REQUIRE_THAT(record.provenance.at("resolved_scene"), Contains("dissipation = 'riemann'"));
 }
 
 TEST_CASE("a run that becomes unstable ends with exit code 3 and keeps what it has", "[faults]") {

@@ -164,7 +164,7 @@ TEST_CASE("a suite varies the inputs of the sensitivity study, and its report te
     REQUIRE(summary["sensitivity"].size() == 1);
     CHECK(summary["sensitivity"][0]["quantity"] == "front_mean");
     CHECK(summary["sensitivity"][0]["value_low"] != summary["sensitivity"][0]["value_high"]);
-    CHECK(read_run(folder / low).choices.at("overrides") == "model.background_pressure=400");
+    CHECK(read_run(folder / low).provenance.at("overrides") == "model.background_pressure=400");
     REQUIRE(run_program(suite(scene, folder)).code == 0);  // all are finished
     CHECK(std::filesystem::last_write_time(folder / low) == before);
 }
@@ -175,7 +175,7 @@ TEST_CASE("a baseline of a clean program is kept and compared; from a dirty one 
     REQUIRE(run_program(suite(scene, folder)).code == 0);
     const std::string out = folder / "out", file = folder / "base.json";
     const Outcome written = run_program({"baseline", "write", out, "--file", file});
-    const std::string commit = read_run(run_of(folder, "0.04")).choices.at("commit");
+    const std::string commit = read_run(run_of(folder, "0.04")).provenance.at("commit");
     if (commit == "unknown" || commit.ends_with("-dirty")) {
         CHECK(written.code == 2);
         CHECK_THAT(written.err, Contains("a baseline needs runs of a committed program"));

@@ -66,7 +66,7 @@ bool same_but_cost(RunRecord a, RunRecord b) {
         record->cost.wall_s = record->cost.core_s = record->cost.peak_rss_mb = 0;
         record->cost.stage_seconds.clear();
         record->parameters.erase("bytes_per_particle");
-        for (const char* key : {"start_time", "threads", "cores"}) record->choices.erase(key);
+        for (const char* key : {"start_time", "threads", "cores"}) record->provenance.erase(key);
     }
     return samples::same(a, b);
 }
@@ -247,7 +247,7 @@ TEST_CASE("a run goes on with the same bits on fewer cores", "[faults]") {
     const Outcome outcome = run_program({"resume", folder / "run"});  // all threads there are: one
     REQUIRE(::sched_setaffinity(0, sizeof before, &before) == 0);
     REQUIRE(outcome.code == 0);
-    REQUIRE(read_run(folder / "run/run.h5").choices.at("threads") == "1");
+    REQUIRE(read_run(folder / "run/run.h5").provenance.at("threads") == "1");
     require_same_run(folder / "whole", folder / "run");
 }
 

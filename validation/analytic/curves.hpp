@@ -10,10 +10,10 @@ namespace wetdeck {
 struct AnalyticCurveInfo {
     std::string name;
     std::string parameters;  ///< "deadrise [speed=6.15]": names with their defaults, if they have any
-    std::string what;
+    std::string meaning;
 };
 
-/// What there is.
+/// All curves.
 const std::vector<AnalyticCurveInfo>& analytic_curves();
 
 /// Whether a reference is named "analytic:...", to be computed instead of read.

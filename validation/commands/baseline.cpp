@@ -35,8 +35,8 @@ std::string run_name(const RunRecord& record) {
 }
 
 void require_clean(const RunRecord& record) {
-    const auto commit = record.choices.find("commit");
-    const std::string revision = commit == record.choices.end() ? "unknown" : commit->second;
+    const auto commit = record.provenance.find("commit");
+    const std::string revision = commit == record.provenance.end() ? "unknown" : commit->second;
     if (revision == "unknown" || revision.ends_with("-dirty"))
         throw InputError(fmt::format("{}: made by revision {}, a baseline needs runs of a committed program",
                                      run_name(record), revision));
@@ -144,7 +144,7 @@ void write_baseline(const fs::path& directory, const fs::path& file, bool replac
     for (const RunSummary& run : summary.runs) {
         if (run.record.status != RunStatus::ok) continue;
         require_clean(run.record);
-        revisions.insert(run.record.choices.at("commit"));
+        revisions.insert(run.record.provenance.at("commit"));
         runs.push_back({{"scene", run.record.scene},
                         {"variant", run.record.variant},
                         {"dx", run.record.particle_spacing},

@@ -59,8 +59,8 @@ std::vector<const FrameEntry*> shown_frames(const Scene& scene, const RunRecord&
 }
 
 bool with_air(const RunRecord& record) {
-    const auto air = record.choices.find("air");
-    return air != record.choices.end() && air->second == "yes";
+    const auto air = record.provenance.find("air");
+    return air != record.provenance.end() && air->second == "yes";
 }
 
 /// The whole tank. The colours reach the pressure of the impact of a body, else the slam would have one

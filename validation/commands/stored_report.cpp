@@ -73,7 +73,7 @@ StoredRuns read_runs(const fs::path& directory) {
             stored.runs.push_back(std::move(run));
             continue;
         }
-        const std::string assignment = run.record.choices["overrides"];
+        const std::string assignment = run.record.provenance["overrides"];
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos)
             throw DataError(fmt::format("{}: a run of the sensitivity study without the key it varies",
@@ -117,7 +117,7 @@ ProgramInfo program_info(const std::vector<RunSummary>& runs) {
         collect_provenance(pair_passes(Model{}, instruction_set_from_environment()).instruction_set, 1)
             .add_to(c);
     } else {
-        c = runs.front().record.choices;
+        c = runs.front().record.provenance;
     }
     const auto get = [&c](const char* key) {
         const auto found = c.find(key);

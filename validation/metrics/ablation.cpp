@@ -64,7 +64,7 @@ AblationVerdict ablation_verdict(bool stable_with, bool stable_without,
         if (!change) continue;
         compared = compared || (value.expected ? value.tolerance : value.spread);
         if (value.expected && value.tolerance) {
-            if (*change > telling_share_of_tolerance * *value.tolerance)
+            if (*change > significant_share_of_tolerance * *value.tolerance)
                 return {true, fmt::format("error of {} grows by {:.3g}, tolerance {:.3g}", value.name,
                                           *change, *value.tolerance)};
         } else if (!value.expected && value.spread && std::abs(*change) > *value.spread) {

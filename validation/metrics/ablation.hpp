@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether an ingredient of the model is needed: what two runs, with it and without it, say.
+// Whether an ingredient of the model is needed, judged from two runs, with it and without it.
 #pragma once
 
 #include <map>
@@ -37,8 +37,8 @@ struct AblationVerdict {
     std::string reason;  ///< of both verdicts
 };
 
-/// An error that grows by less rarely turns a success into a failure.
-inline constexpr double telling_share_of_tolerance = 0.25;
+/// Growth of an error, over the tolerance, below which a comparison rarely changes from success to failure.
+inline constexpr double significant_share_of_tolerance = 0.25;
 
 /// The rule of ablation_verdict in words.
 extern const char* const ablation_rule;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From stored runs to everything the report shows.
 #include "validation/metrics/analysis.hpp"
 
 #include <algorithm>
@@ -34,7 +33,8 @@ void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& ref
 }
 
 /// Identity of the set-up by scene and variant: that of the run that was started last.
-std::map<std::pair<std::string, std::string>, std::string> current_setups(const std::vector<RunSummary>& runs) {
+std::map<std::pair<std::string, std::string>, std::string> current_setups(
+    const std::vector<RunSummary>& runs) {
     std::map<std::pair<std::string, std::string>, const RunRecord*> latest;
     for (const RunSummary& run : runs) {
         const RunRecord*& found = latest[{run.record.scene, run.record.variant}];
@@ -46,13 +46,13 @@ std::map<std::pair<std::string, std::string>, std::string> current_setups(const 
     return setups;
 }
 
-/// Marks the runs, and drops the runs of the sensitivity study, whose set-up is another one than that of the latest
-/// run of their variant: nothing is computed from both.
+/// Marks the runs, and drops the runs of the sensitivity study, whose set-up is another one than that of the
+/// latest run of their variant: nothing is computed from both.
 void keep_setups_apart(std::vector<RunSummary>& runs, std::vector<SensitivityRun>& varied) {
     const auto setups = current_setups(runs);
     for (RunSummary& run : runs)
-        run.other_setup = provenance_of(run.record, "setup_identity") !=
-                          setups.at({run.record.scene, run.record.variant});
+        run.other_setup =
+            provenance_of(run.record, "setup_identity") != setups.at({run.record.scene, run.record.variant});
     std::erase_if(varied, [&](const SensitivityRun& one) {
         const RunRecord& record = one.run.record;
         const auto found = setups.find({record.scene, record.variant});
@@ -82,7 +82,7 @@ void add_convergence(const AnalysisSpec& spec, Summary& summary) {
     }
 }
 
-/// The first comparison of each series says how it is scaled and where it matters.
+/// Scaling and window of a series are those of its first comparison.
 void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
     std::set<std::string> seen;
     for (const ComparisonSpec& comparison : spec.comparisons) {
@@ -105,7 +105,8 @@ void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
     }
 }
 
-/// One specification per scene, with what any of its variants asks for; the default variant speaks first.
+/// One specification per scene, with the quantities and comparisons of all its variants, those of the default
+/// variant first.
 std::vector<AnalysisSpec> merged(std::vector<AnalysisSpec> specifications) {
     std::stable_sort(specifications.begin(), specifications.end(), [](const auto& a, const auto& b) {
         return std::tuple(a.scene, a.variant != a.default_variant) <

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From stored runs to everything the report shows.
+// Analysis of stored runs: all results that the report shows.
 #pragma once
 
 #include <filesystem>

@@ -8,18 +8,20 @@
 
 namespace wetdeck {
 
-/// Compares the scaled series with the reference inside the window (where the two overlap, if there is no
-/// window), with no time shift:
-///   nrmse       root mean square difference at 2000 equidistant instants over the range of the reference in
-///   the window peak_error  (largest simulated - largest reference) / |largest reference| time_error  scaled
-///   time of the largest value, simulated - reference; empty where the reference has its largest value at an
-///               end of the window, as a front has, and so no peak to time
-/// and beside these the features of both curves and their agreement (curve_metrics.hpp). No metric is given
-/// and `within` is false, with a note, where the series is missing or not sound, where it covers less than
+/// Compares the scaled series with the reference inside the window, or where the two overlap if there is no
+/// window, without a time shift:
+///
+///   nrmse       root mean square difference at 2000 equidistant instants over the range of the reference
+///   peak_error  (largest simulated - largest reference) / |largest reference|
+///   time_error  scaled time of the largest value, simulated - reference; empty where the reference has its
+///               largest value at an end of the window, as a front has
+///
+/// and the features of both curves and their agreement (curve_metrics.hpp). There are no metrics, `within` is
+/// false, and a note says why, where the series is missing or not sound, where it covers less than
 /// `required_coverage` of the part of the window that the reference spans, and where a run that stopped early
-/// is compared without a window. A reference file that does not exist gives `available` = false. A window of
-/// which the reference itself spans less than `required_coverage` is noted. Throws DataError for a reference
-/// file that is not sound.
+/// is compared without a window. A reference file that does not exist gives `available` = false. A note also
+/// names a window of which the reference itself spans less than `required_coverage`. Throws DataError for a
+/// reference file that is not sound.
 ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, ReferenceShelf& references);
 
 }  // namespace wetdeck

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well a run kept what the equations conserve.
 #include "validation/metrics/conservation.hpp"
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 namespace wetdeck {
 namespace {
 
-/// Work of the fluid on all bodies, at each sample [J/m]: what the bodies took counts as kept.
+/// Work of the fluid on all bodies at each sample [J/m]: energy given to bodies is not lost.
 std::vector<double> work_on_bodies(const RunRecord& record, std::size_t samples) {
     std::vector<double> work(samples, 0);
     for (const auto& [name, series] : record.series) {

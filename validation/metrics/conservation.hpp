@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well a run kept what the equations conserve.
+// Errors of a run in the conservation of energy and momentum.
 #pragma once
 
 #include <optional>

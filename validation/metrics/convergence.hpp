@@ -18,19 +18,20 @@ namespace wetdeck {
 std::optional<double> observed_order(double h3, double h2, double h1, double f3, double f2, double f1);
 
 /// Convergence of one quantity over its spacings (any order, one value each; the finest three decide):
-///   order        observed_order, where the values are monotone
-///   monotone     the three values change in one direction
-///   verdict      "too few spacings" (fewer than three), "oscillatory" (the differences change sign),
-///   "divergent" (order <= 0),
-///                "not asymptotic" (two of the values are the same, the order lies outside [0.5, 2
-///                formal_order], or a fourth spacing is off the curve: asymptotic_ratio outside [0.5, 2]),
-///                else "monotonic"
-///   extrapolated f1 - (f2 - f1)/(r21^p - 1), only where the verdict is monotonic
-///   gci_fine     1.25 |f2 - f1|/(r21^p - 1), in the unit of the quantity, only where the verdict is
-///   monotonic asymptotic_ratio  GCI43 / (r^p GCI32) with r = r32 and p of the finest three; only with four
-///   spacings or more, because
-///                with three it is 1 whatever the values are
-/// `scene`, `variant` and `qoi` are left to the caller.
+///
+///   order             observed_order, where the values are monotone
+///   monotone          the three values change in one direction
+///   verdict           "too few spacings" (fewer than three); "oscillatory" (the differences change sign);
+///                     "divergent" (order <= 0); "not asymptotic" (two of the values are the same, the order
+///                     is outside [0.5, 2 formal_order], or a fourth spacing is off the curve:
+///                     asymptotic_ratio outside [0.5, 2]); else "monotonic"
+///   extrapolated      f1 - (f2 - f1)/(r21^p - 1), only where the verdict is monotonic
+///   gci_fine          1.25 |f2 - f1|/(r21^p - 1), in the unit of the quantity, only where the verdict is
+///                     monotonic
+///   asymptotic_ratio  GCI43 / (r^p GCI32) with r = r32 and p of the finest three; needs four spacings, as
+///                     with three it is 1 whatever the values are
+///
+/// The caller fills in `scene`, `variant` and `qoi`.
 ConvergenceRow convergence(std::vector<std::pair<double, double>> spacing_and_value, double formal_order = 2);
 
 }  // namespace wetdeck

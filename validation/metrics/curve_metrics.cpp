@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What two curves have in common and where they differ, with amplitude, timing and shape apart.
 #include "validation/metrics/curve_metrics.hpp"
 
 #include <algorithm>

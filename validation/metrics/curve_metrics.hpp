@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What two curves have in common and where they differ, with amplitude, timing and shape apart.
+// Differences of two curves, with amplitude, timing and shape apart.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ std::vector<CurveFeature> curve_features(const Curve& simulated, const Curve& re
 ///   phase      arccos(sum S D / sqrt(sum S^2 sum D^2)) / pi
 ///   combined   sqrt(magnitude^2 + phase^2)                       (Sprague and Geers 2004)
 /// and the shift in time (at most a tenth of the window, in steps of its 2000th part) and the factor a that
-/// make the rms of a S(t + shift) - D(t) least: what is left of it is a difference of shape. Nothing where
+/// make the rms of a S(t + shift) - D(t) least; the rms that remains is a difference of shape. Empty where
 /// one of the curves vanishes.
 CurveAgreement curve_agreement(const Curve& simulated, const Curve& reference, const Window& window);
 

@@ -13,8 +13,7 @@
 
 namespace wetdeck {
 
-/// Where the file `stem`.csv of a scene lies: in its own folder if it is there, else in `directory`, whether
-/// it is there or not.
+/// Path of the file `stem`.csv of a scene: in the scene's own folder if that holds it, else in `directory`.
 std::filesystem::path reference_file(const std::string& stem, const std::filesystem::path& own,
                                      const std::filesystem::path& directory);
 
@@ -27,8 +26,7 @@ class ReferenceShelf {
         : directory_(std::move(directory)), own_(std::move(own)) {}
 
     /// The file `stem`.csv, or null if there is none; the computed curve where `stem` begins with
-    /// "analytic:". Throws DataError if the file is there but not sound, InputError for an analytic curve
-    /// there is not.
+    /// "analytic:". Throws DataError for a file that is not sound, InputError for an unknown analytic curve.
     const Reference* find(const std::string& stem);
 
   private:
@@ -36,10 +34,10 @@ class ReferenceShelf {
     std::map<std::string, std::optional<Reference>> files_;
 };
 
-/// "stem fnv1a64:..., ..." of every reference file that the scene names and that is there, in order.
+/// "stem fnv1a64:..., ..." of every reference file that the scene names and that exists, in order.
 std::string reference_hashes(const AnalysisSpec& scene, const std::filesystem::path& directory);
 
-/// What is written where a reference file is not there.
+/// The note on a quantity or comparison whose reference file does not exist.
 std::string curve_not_available(const std::string& stem);
 
 /// A column of a reference as a scaled curve: a column without a unit is scaled already, one in SI units is

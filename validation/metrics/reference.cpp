@@ -82,7 +82,7 @@ std::string file_text(const std::filesystem::path& path) {
     return read_whole_file(path);
 }
 
-/// Goes through the lines of one file; every complaint carries the file and the line.
+/// Reads the lines of one file; every error names the file and the line.
 class Reader {
   public:
     Reader(const std::filesystem::path& path, std::string_view text) : rest_(text) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reference curves: the CSV files of reference_data/ and those of users. The format is described in
-// reference_data/README.md; nothing here repairs a file, it is read as it stands or refused.
+// reference_data/README.md; a file that does not follow it is refused, never repaired.
 #pragma once
 
 #include <cstddef>
@@ -39,14 +39,13 @@ struct Reference {
 /// expected", and EnvironmentError if the file may not be read.
 Reference load_reference(const std::filesystem::path& path);
 
-/// The same of a text in that format which comes from somewhere else; `name` stands for the file in messages
-/// and as path.
+/// The same for a text in that format; `name` replaces the path in messages.
 Reference parse_reference(const std::string& name, std::string_view text);
 
 /// The same hash without reading further; empty if there is no such file.
 std::string file_hash(const std::filesystem::path& path);
 
-/// The column of that name; throws DataError, naming the columns there are.
+/// The column of that name; throws DataError that lists the columns of the file.
 const Column& find_column(const Reference& reference, const std::string& name);
 
 /// y over x. Rows whose x or y cell is empty are dropped; `Column::empty_cells` tells how many a column has.

@@ -14,18 +14,18 @@ namespace wetdeck {
 /// Number of equidistant instants of every difference of two curves, both ends of the window included.
 inline constexpr int comparison_instants = 2000;
 
-/// A window has to be covered to this share of its length for a number to be given.
+/// Share of a window that a curve must span for a number to be taken from it.
 inline constexpr double required_coverage = 0.98;
 
-/// A series as a curve, or the reason why it is none.
+/// A series as a curve, or the reason why it cannot be one.
 struct SeriesCurve {
     Curve curve;          ///< scaled; up to the last sound sample if there is a problem
     std::string problem;  ///< empty if the whole series is sound
 };
 
-/// A series under its scaling. One that is missing or empty, that has several columns where no instant is
-/// asked for (or one where it is), that holds a value that is not finite or times that do not increase comes
-/// back with the problem named: no number may be taken from it.
+/// A series under its scaling. The result names a problem, and no number may be taken from it, if the series
+/// is missing or empty, is a profile without an instant (or no profile with one), or holds values that are
+/// not finite or times that do not increase.
 SeriesCurve series_curve(const RunRecord& record, const std::string& series,
                          const SeriesScaling& scaling = {});
 

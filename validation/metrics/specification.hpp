@@ -37,7 +37,7 @@ struct QuantitySpec : SeriesScaling {
     std::string reference;  ///< as in ComparisonSpec, for a metric that needs one
     std::string y_column;   ///< column of the reference
     std::string unit = "-";
-    /// What the quantity should be, if anything is known: value +- tolerance, and who says so.
+    /// The expected value, if one is known, its tolerance and its source.
     std::optional<double> expected;
     std::optional<double> tolerance;
     std::string expected_source;
@@ -66,15 +66,15 @@ struct Deviation {
     std::string reason;
 };
 
-/// An input that a small study varies, one at a time, to learn what its uncertainty does to the results.
+/// An input that is varied alone to find the effect of its uncertainty on the results.
 struct SensitivitySpec {
     std::string key;  ///< dotted, as for --set
     double low = 0, high = 0;
     double uncertainty = 0;  ///< standard, k = 1, in the unit of the key
-    std::string source;      ///< who says so
+    std::string source;      ///< of the uncertainty
 };
 
-/// What the source's own computation took: the other end of the speed-against-error comparison.
+/// The cost of the source's own computation.
 struct SourceRun {
     double particles = 0;
     double steps = 0;
@@ -93,7 +93,7 @@ struct SourceFigure {
 /// The part of a scene that analysis and report need.
 struct AnalysisSpec {
     std::string scene;
-    std::string variant;  ///< that it speaks for; empty: all variants
+    std::string variant;  ///< to which it applies; empty: all variants
     std::string title;
     std::string purpose;
     std::string source;

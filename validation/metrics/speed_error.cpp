@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Error against cost, and which runs are not beaten in both.
 #include "validation/metrics/speed_error.hpp"
 
 #include <algorithm>
@@ -36,7 +35,7 @@ std::optional<Target> target_of(const QuantityResult& result, const RunRecord& r
     return std::nullopt;
 }
 
-/// The same kind of error: a value that is extrapolated speaks for its own variant alone.
+/// Errors against the same value: an extrapolated value belongs to its own variant alone.
 bool comparable(const SpeedErrorPoint& a, const SpeedErrorPoint& b) {
     return a.against == b.against && (a.against != own_limit || a.variant == b.variant);
 }
@@ -81,8 +80,7 @@ std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& r
         if (record.scene != scene.scene) continue;
         SpeedErrorPoint point{scene.scene, record.variant, record.particle_spacing, record.cost.core_s, {}};
         for (const QuantityResult& result : run.quantities) {
-            if (result.name != scene.error_quantity || !result.value || !counts(run))
-                continue;
+            if (result.name != scene.error_quantity || !result.value || !counts(run)) continue;
             const std::optional<Target> target = target_of(result, record, scene, convergence);
             if (!target) continue;
             point.relative = target->value != 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Error against cost, and which runs are not beaten in both.
+// Error against cost, and the runs that no other run beats in both (Pareto front).
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 namespace wetdeck {
 
 /// One point per run of the scene: processor seconds, and how far its `error_quantity` is from the expected
-/// value, over that value where it is not zero. An rms difference to a curve is an error itself. What has no
-/// expected value is taken against the value to which the spacings of its variant converge. Runs that did not
-/// end well, and values that do not converge, have no error. `pareto` marks, among the points with an error
-/// against the same thing, those that no other point beats in one of cost and error without being worse in
-/// the other.
+/// value, over that value where it is not zero. An rms difference to a curve is an error itself. A quantity
+/// without an expected value is compared with the value to which the spacings of its variant converge. Runs
+/// that did not end well, and values that do not converge, have no error. `pareto` marks, among the points
+/// with an error against the same thing, those that no other point beats in one of cost and error without
+/// being worse in the other.
 std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& runs,
                                                 const AnalysisSpec& scene,
                                                 const std::vector<ConvergenceRow>& convergence);
@@ -26,9 +26,9 @@ std::vector<SpeedErrorPoint> speed_error_points(const std::vector<RunSummary>& r
 std::vector<CheapestRow> cheapest_rows(const std::vector<RunSummary>& runs, const AnalysisSpec& scene);
 
 /// Other codes in the place of the scene's error quantity, where that is an rms difference to a curve: each
-/// peer simulation of the same series against the same curve in the same window. What it cost and under which
-/// conditions is taken from the keys `cost_core_s` and `cost_conditions` of its file; empty where it does not
-/// say. A peer that does not cover the window has no point.
+/// peer simulation of the same series against the same curve in the same window. Its cost and the conditions
+/// of that cost are the keys `cost_core_s` and `cost_conditions` of its file, empty where it lacks them. A
+/// peer that does not cover the window has no point.
 std::vector<PeerPoint> peer_points(const AnalysisSpec& scene, ReferenceShelf& references);
 
 }  // namespace wetdeck

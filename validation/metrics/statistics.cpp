@@ -137,7 +137,7 @@ std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::v
     std::vector<ScatterPoint> points;
     const RunSummary* run = representative_run(scene, runs);
     if (run == nullptr) return points;
-    std::map<std::string, std::string> taken;  // series and class, then the point that stands for them
+    std::map<std::string, std::string> taken;  // series and class, then the point that represents them
     for (const QuantitySpec& spec : scene.quantities) {
         if (auto point = quantity_point(spec, *run)) {
             point->dropped = reason_to_drop(*point);

@@ -16,9 +16,9 @@ std::string quantity_class(Dimension dimension, const std::string& series_unit);
 
 /// The pairs of a scene in SI units: every expected quantity and every curve (its peak, or its mean where the
 /// reference has no peak inside the window), from the finest sound run of the default variant. Not counted,
-/// with the reason: pairs from other simulations, analytic solutions or statements, of a kind nobody has
-/// said, with a value that is not positive (no logarithm), further readings of one record, and curves that a
-/// quantity of the same class and series stands for.
+/// with the reason: pairs from other simulations, analytic solutions or statements, of an
+/// unknown kind, with a value that is not positive (no logarithm), further readings of one record, and curves
+/// whose class and series a quantity already represents.
 std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs);
 
 /// Over the counted points of each class, with L = ln(predicted / expected):

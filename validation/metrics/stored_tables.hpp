@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results that are no runs of a scene, as their commands leave them beside the runs: DIR/ablation.json and
+// Results beside the runs of a directory, written by their commands: DIR/ablation.json and
 // DIR/stress.json, each {"schema": 1, "rows": [...]} with the keys of summary.json.
 #pragma once
 

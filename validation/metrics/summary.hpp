@@ -70,7 +70,7 @@ struct RunSummary {
     std::optional<double> energy_error;    ///< see conservation.hpp
     std::optional<double> momentum_error;  ///< see conservation.hpp
     bool expected_unstable = false;        ///< its variant is known to become unstable
-    bool other_setup = false;              ///< its set-up or scheme is not that of the latest run of its variant
+    bool other_setup = false;  ///< its set-up or scheme is not that of the latest run of its variant
     std::vector<QuantityResult> quantities;
     std::vector<ComparisonResult> comparisons;
 };
@@ -138,7 +138,7 @@ struct SensitivityRun {
     RunSummary run;
 };
 
-/// What an input's uncertainty does to a quantity.
+/// The effect of an input's uncertainty on a quantity.
 struct SensitivityRow {
     std::string scene, variant, quantity, unit, key;
     double dx = 0, low = 0, high = 0, uncertainty = 0;
@@ -170,7 +170,7 @@ struct CheapestRow {
     std::optional<SpeedErrorPoint> best;                 ///< the smallest error of all
 };
 
-/// What leaving one ingredient of the model out does; from DIR/ablation.json.
+/// The effect of leaving out one ingredient of the model; from DIR/ablation.json.
 struct AblationRow {
     std::string scene;
     double dx = 0;
@@ -185,16 +185,16 @@ struct StressRow {
     std::string stress_case, setting;
     bool survived = false;
     std::string note;
-    std::string picture = {};  ///< of the death: a file, relative to the directory; empty if there is none
+    std::string picture = {};  ///< of the instability, relative to the directory; empty if there is none
 };
 
-/// Whether a run takes part in what is computed from several runs: it has reached its end, and its set-up and scheme
-/// are those of its variant.
+/// Whether a run takes part in what is computed from several runs: it has reached its end, and its set-up and
+/// scheme are those of its variant.
 inline bool counts(const RunSummary& run) {
     return run.record.status == RunStatus::ok && !run.other_setup;
 }
 
-/// Whether a specification speaks for a run.
+/// Whether a specification applies to a run.
 inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {
     return record.scene == spec.scene && (spec.variant.empty() || record.variant == spec.variant);
 }

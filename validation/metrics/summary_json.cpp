@@ -48,8 +48,8 @@ json run_json(const RunSummary& run) {
     const RunRecord& record = run.record;
     const RunCost& cost = record.cost;
     const auto entry = [&](const char* key) -> json {
-        const auto found = record.choices.find(key);
-        return found == record.choices.end() ? json(nullptr) : json(found->second);
+        const auto found = record.provenance.find(key);
+        return found == record.provenance.end() ? json(nullptr) : json(found->second);
     };
     json provenance = json::object();
     for (const char* key : {"commit", "compiler", "compiler_flags", "build_type", "libraries", "simd", "cpu",

@@ -14,7 +14,7 @@
 namespace wetdeck {
 namespace {
 
-/// A value with what it should be, from a quantity or from a curve.
+/// A simulated value and its reference, from a quantity or from a curve.
 struct Item {
     std::string name, unit, against;
     std::optional<ReferenceKind> kind;
@@ -27,7 +27,7 @@ bool error_measure(const AnalysisSpec& scene, const std::string& quantity) {
     });
 }
 
-/// A value of unsaid kind gets the benefit of the doubt.
+/// A value of unknown kind is taken for a measurement; the report says that its kind is not stated.
 bool counts_as_validation(std::optional<ReferenceKind> kind) {
     return !kind || describe(*kind).validates;
 }
@@ -109,8 +109,7 @@ using Sound = std::vector<const RunSummary*>;  // by spacing, coarse to fine
 std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     std::map<std::string, Sound> variants;
     for (const RunSummary& run : runs) {
-        if (applies(scene, run.record) && counts(run))
-            variants[run.record.variant].push_back(&run);
+        if (applies(scene, run.record) && counts(run)) variants[run.record.variant].push_back(&run);
     }
     for (auto& entry : variants) {
         std::sort(entry.second.begin(), entry.second.end(), [](const auto* a, const auto* b) {

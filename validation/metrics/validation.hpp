@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Comparison error and validation uncertainty in the sense of ASME V&V 20. An uncertainty that nobody has
-// stated stays unknown and is never taken as zero.
+// Comparison error and validation uncertainty in the sense of ASME V&V 20. An uncertainty that is
+// not stated stays unknown and is never taken as zero.
 #pragma once
 
 #include <vector>
@@ -18,11 +18,11 @@ namespace wetdeck {
 ///   u_data   stated with the expected value, or relative to the curve
 ///   u_input  root of the sum of squares over the inputs that `sensitivity` names for this variant and
 ///            quantity; unknown without
-/// `verdict` says in words what E and the known uncertainties allow to say.
+/// `verdict` is the conclusion that E and the known uncertainties allow, in words.
 std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
                                            const std::vector<SensitivityRow>& sensitivity);
 
-/// What each varied input does to the quantities and to the curves (by the names of `validation_rows`): from
+/// The effect of each varied input on the quantities and the curves (by the names of `validation_rows`), from
 /// pairs of runs with the key at its low and its high value.
 std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
                                              const std::vector<SensitivityRun>& runs);

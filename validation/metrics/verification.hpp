@@ -13,19 +13,19 @@
 
 namespace wetdeck {
 
-/// What a problem promises of one of its errors.
+/// The bound and the order that a problem states for one of its errors before it is run.
 struct Claim {
     std::string quantity;    ///< name of the error
-    std::string meaning;     ///< difference of what from what, over what scale
-    std::string resolution;  ///< what the resolution counts: "dx / depth"
+    std::string meaning;     ///< the difference and its scale, in words
+    std::string resolution;  ///< its definition: "dx / depth"
     double bound = 0;        ///< largest error at the coarsest resolution
     std::optional<Window>
         order;           ///< range of the slope of log error over log resolution; empty: none expected
     std::string reason;  ///< where the bound and the order come from
-    std::string known_miss = {};  ///< why the scheme does not hold it, by how much; empty: it should
+    std::string known_miss = {};  ///< why the scheme misses the claim, and by how much; empty: it should hold
 };
 
-/// A claim and what came out. Resolutions are lengths (or amplitudes): smaller is finer. Coarse to fine.
+/// A claim and its result. Resolutions are lengths (or amplitudes): smaller is finer. Coarse to fine.
 struct VerificationRow {
     Claim claim;
     std::vector<double> resolution, error;
@@ -50,8 +50,8 @@ struct VerificationProblem {
     std::string exact;  ///< the exact solution, in words and formulas
     std::vector<VerificationRow> rows;
     std::vector<VerificationFigure> figures;
-    std::vector<std::string> notes;  ///< what misses, and why
-    std::string unstable;            ///< where and how a run died; empty if none did
+    std::vector<std::string> notes;  ///< claims that are missed, and why
+    std::string unstable;            ///< where and how a run became unstable; empty if none did
     double wall_s = 0;
 };
 
@@ -64,7 +64,7 @@ std::optional<double> observed_slope(const std::vector<double>& resolution, cons
 /// and the order, where one is expected, lies in its range.
 void judge(VerificationRow& row);
 
-/// A run of one of them died.
+/// Whether a run of one of the problems became unstable.
 bool any_unstable(const std::vector<VerificationProblem>& problems);
 
 }  // namespace wetdeck

@@ -14,7 +14,7 @@ namespace wetdeck {
 /// Its name in a directory of results.
 inline constexpr const char* verification_file = "verification.json";
 
-/// One entry per claim: problem, quantity, resolution, error, order, expected_order and what they mean.
+/// One entry per claim: problem, quantity, resolution, error, order, expected_order and their meaning.
 nlohmann::json verification_list(const std::vector<VerificationProblem>& problems);
 
 /// Everything, with curves and notes.

@@ -8,7 +8,7 @@
 
 namespace wetdeck {
 
-std::uint64_t steps_between_looks(const Simulation& simulation, std::uint64_t steps, std::uint64_t least) {
+std::uint64_t inspection_interval(const Simulation& simulation, std::uint64_t steps, std::uint64_t least) {
     const auto substeps = static_cast<std::uint64_t>(simulation.model().air_substeps);
     return std::max(least, steps / std::bit_ceil(substeps));
 }

@@ -9,13 +9,13 @@
 
 namespace wetdeck {
 
-/// So many steps between two looks at a simulation, fewer where the air takes several steps in one: such
-/// steps are that much longer. At least `least`.
-std::uint64_t steps_between_looks(const Simulation& simulation, std::uint64_t steps, std::uint64_t least = 1);
+/// The interval of `steps` steps between two inspections of a simulation, shortened where the air takes
+/// several steps in one of the water, as such steps are longer; at least `least`.
+std::uint64_t inspection_interval(const Simulation& simulation, std::uint64_t steps, std::uint64_t least = 1);
 
 class LastGoodFrame {
   public:
-    /// @param steps_between  two frames; at the start a frame is taken after 1, 2, 4, 8, ... steps
+    /// @param steps_between  number of steps between two frames; at the start after 1, 2, 4, 8, ... steps
     explicit LastGoodFrame(std::uint64_t steps_between) : steps_between_(steps_between) {}
 
     /// Whether a frame is due at this number of steps.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The series that a run records, and what follows from them.
+// The series that a run records, and the means that are taken of them.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace wetdeck {
 
-/// All series of a scene: its probes, what every run records, and its bodies.
+/// All series of a scene: of its probes, of its bodies and of every run.
 class Recorders {
   public:
     /// Throws InputError where a probe is too small for the spacing.
@@ -20,8 +20,8 @@ class Recorders {
 
     const std::vector<SeriesInfo>& list() const { return list_; }
     /// The values of one sample in the order of list(), a profile with all its columns [SI].
-    /// @param number  of the sample since the start of the run: costly values are not taken at each
-    /// @param values  of the sample before, which are repeated where none is taken
+    /// @param number  number of the sample since the start of the run: costly values are taken at some only
+    /// @param values  in: values of the sample before, which are repeated where none is taken
     void sample(const Simulation& simulation, std::size_t number, std::vector<double>& values) const;
 
   private:
@@ -30,8 +30,8 @@ class Recorders {
     std::size_t bodies_;
 };
 
-/// Adds what follows from the impulses and velocities of the bodies: forces and accelerations as means over
-/// the two intervals about each sample, and filtered by a centred moving mean of the scene's width. No sample
+/// Adds the forces and accelerations of the bodies, from their impulses and velocities, as means over the two
+/// intervals about each sample, and filtered by a centred moving mean of the scene's width. No sample
 /// falls between them: the integral of the force is the impulse that the body received.
 void add_body_means(const Scene& scene, std::map<std::string, Series>& series);
 

@@ -41,7 +41,7 @@ void record_parameters(RunRecord& record, Scene scene, const Simulation& simulat
         if (const double* number = std::get_if<double>(&value)) {
             numbers[key] = *number;
         } else {
-            record.choices[key] = toml_text(value);
+            record.provenance[key] = toml_text(value);
         }
     }
     numbers["gravity_x"] = scene.model.gravity.x();
@@ -50,10 +50,10 @@ void record_parameters(RunRecord& record, Scene scene, const Simulation& simulat
     numbers["smoothing_length"] = simulation.kernel().smoothing_length;
     numbers["run.end_time"] = scene.end_time;
     numbers["scheme_revision"] = scheme_revision;
-    record.choices["parameters"] = parameters_json(scene).dump();
-    record.choices["setup_identity"] = setup_identity(scene);
-    record.choices["resolved_scene"] = scene.resolved;
-    record.choices["air"] = scene.air ? "yes" : "no";
+    record.provenance["parameters"] = parameters_json(scene).dump();
+    record.provenance["setup_identity"] = setup_identity(scene);
+    record.provenance["resolved_scene"] = scene.resolved;
+    record.provenance["air"] = scene.air ? "yes" : "no";
 }
 
 void record_cost(RunRecord& record, const Simulation& simulation) {
@@ -162,15 +162,15 @@ class Run {
         record.particles = simulation_.fluid().size() + simulation_.walls().size();
         record.scene_text = scene_.text;
         record.scene_path = scene_.path;
-        provenance_.add_to(record.choices);
+        provenance_.add_to(record.provenance);
         record_parameters(record, scene_, simulation_);
         if (end_ < scene_.end_time) record.parameters["run.until"] = end_;
-        record.choices["reference_hashes"] =
+        record.provenance["reference_hashes"] =
             reference_hashes(scene_.analysis, reference_directory() / scene_.name());
         if (!scene_.overrides.empty()) {
             const Scene base = parse_scene(scene_.text, scene_.path, scene_.variant);
-            record.choices["base_setup_identity"] = setup_identity(base);
-            record.choices["overrides"] = fmt::format("{}", fmt::join(scene_.overrides, "; "));
+            record.provenance["base_setup_identity"] = setup_identity(base);
+            record.provenance["overrides"] = fmt::format("{}", fmt::join(scene_.overrides, "; "));
         }
         return record;
     }
@@ -232,7 +232,7 @@ class Run {
     TimeSeries series_;
     std::optional<FieldWriter> fields_;
     std::size_t next_frame_ = 0;
-    std::uint64_t steps_between_ = steps_between_looks(simulation_, 256, 4);
+    std::uint64_t steps_between_ = inspection_interval(simulation_, 256, 4);
     LastGoodFrame last_good_{steps_between_};
 };
 

@@ -14,13 +14,13 @@ namespace wetdeck {
 
 class TimeSeries {
   public:
-    /// Starts the live file anew; `from`, if any, brings the samples taken so far.
+    /// Starts the live file anew, with the samples of the checkpoint `from` if there is one.
     TimeSeries(const Scene& scene, double particle_spacing, const std::filesystem::path& run_dir,
                const Checkpoint* from);
 
     /// Takes a sample if one is due at this time, or if it is the last time of the run.
     void sample(const Simulation& simulation, bool last);
-    /// All series by name, with what follows from those of the bodies.
+    /// All series by name, with forces and accelerations of the bodies.
     std::map<std::string, Series> all() const;
     void save(Checkpoint& checkpoint) const;
 
@@ -30,7 +30,7 @@ class TimeSeries {
     double interval_;
     double next_ = 0;
     LiveSeries live_;
-    std::vector<double> times_, values_;  ///< the latter of the last sample
+    std::vector<double> times_, values_;  ///< of all samples; of the last sample
     std::vector<Series> series_;          ///< in the order of the recorders; their times are in times_
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene measures and what it is compared with.
+// Quantities of a scene and its comparisons with references.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,11 @@
 
 namespace wetdeck {
 namespace {
+
+/// Scales and origins by name.
+struct Axes {
+    Scales scales, origins;
+};
 
 /// A scale or an origin is a name from [scales] or [time_origins].
 double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {
@@ -28,8 +33,7 @@ std::optional<Window> window(const TomlTable& table) {
     return Window{ends[0], ends[1]};
 }
 
-/// A file may be missing, it is looked for when the report is written; a curve to be computed must be one
-/// there is.
+/// A missing file is no error until the report is written; an analytic curve must exist.
 std::string read_reference(const TomlTable& table, std::string reference) {
     if (!is_analytic(reference)) return reference;
     try {
@@ -40,14 +44,14 @@ std::string read_reference(const TomlTable& table, std::string reference) {
     return reference;
 }
 
-QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const Scales& origins) {
+QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     QuantitySpec q;
     q.name = table.text("name");
     q.metric = &metric_named(table.choice("metric", metric_names()));
     q.series = table.text("series");
-    q.x_scale = scale(table, "x_scale", scales);
-    q.x_offset = scale(table, "x_origin", origins, 0);
-    q.y_scale = scale(table, "y_scale", scales);
+    q.x_scale = scale(table, "x_scale", axes.scales);
+    q.x_offset = scale(table, "x_origin", axes.origins, 0);
+    q.y_scale = scale(table, "y_scale", axes.scales);
     q.instant = table.optional_number("instant");
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
@@ -69,16 +73,16 @@ QuantitySpec read_quantity(const TomlTable& table, const Scales& scales, const S
     return q;
 }
 
-ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales, const Scales& origins) {
+ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     ComparisonSpec c;
     c.title = table.text("title");
     c.quantity = table.text("quantity");
     c.reference = read_reference(table, table.text("reference"));
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
-    c.x_scale = scale(table, "x_scale", scales);
-    c.x_offset = scale(table, "x_origin", origins, 0);
-    c.y_scale = scale(table, "y_scale", scales);
+    c.x_scale = scale(table, "x_scale", axes.scales);
+    c.x_offset = scale(table, "x_origin", axes.origins, 0);
+    c.y_scale = scale(table, "y_scale", axes.scales);
     c.y_offset = table.number_or("y_offset", 0);
     c.instant = table.optional_number("instant");
     c.window = window(table);
@@ -89,7 +93,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Scales& scales, con
     return c;
 }
 
-/// Whether an entry is meant for the variant that is read; one without a list of variants is meant for all.
+/// Whether an entry applies to the variant that is read; one without a list of variants applies to all.
 bool of_this_variant(const TomlTable& table, const Scene& scene) {
     if (!table.has("variants")) return true;
     std::vector<std::string> known;
@@ -141,50 +145,67 @@ void read_source_figures(const TomlTable& root, AnalysisSpec& analysis) {
     }
 }
 
-}  // namespace
-
-void read_analysis(const TomlTable& root, Scene& scene) {
-    Scales scales, origins;
+Axes read_axes(const TomlTable& root) {
+    Axes axes;
     if (const std::optional<TomlTable> table = root.optional_table("time_origins")) {
-        for (const std::string& name : table->keys()) origins[name] = table->number(name);
+        for (const std::string& name : table->keys()) axes.origins[name] = table->number(name);
     }
     if (const std::optional<TomlTable> table = root.optional_table("scales")) {
-        for (const std::string& name : table->keys()) scales[name] = table->positive(name);
+        for (const std::string& name : table->keys()) axes.scales[name] = table->positive(name);
     }
-    std::vector<std::string> series;
-    for (const Probe& probe : scene.probes) series.push_back(probe.series.name);
-    for (const FluidSeries& each : every_run_series()) series.push_back(each.info.name);
+    return axes;
+}
+
+/// Names of all series that a run of the scene holds.
+std::vector<std::string> series_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
+    for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
         for (const BodySeries& each : recorded_body_series())
-            series.push_back(body_series_name(each.info.name, body));
+            names.push_back(body_series_name(each.info.name, body));
         for (const DerivedSeries& each : derived_body_series())
-            series.push_back(body_series_name(each.info.name, body));
+            names.push_back(body_series_name(each.info.name, body));
     }
-    AnalysisSpec& analysis = scene.analysis;
+    return names;
+}
+
+/// Those of this variant are kept; the names of all are returned.
+std::set<std::string> read_quantities(const TomlTable& root, const Axes& axes, Scene& scene) {
     std::set<std::string> names;
+    std::vector<QuantitySpec>& quantities = scene.analysis.quantities;
     for (const TomlTable& table : root.tables("quantities")) {
-        table.choice("series", series);
+        table.choice("series", series_names(scene));
         const bool wanted = of_this_variant(table, scene);
-        const QuantitySpec quantity = read_quantity(table, scales, origins);
+        const QuantitySpec quantity = read_quantity(table, axes);
         names.insert(quantity.name);
         if (!wanted) continue;
         const auto same = [&](const QuantitySpec& q) { return q.name == quantity.name; };
-        if (std::any_of(analysis.quantities.begin(), analysis.quantities.end(), same))
+        if (std::any_of(quantities.begin(), quantities.end(), same))
             table.fail("name", "is used twice for one variant");
-        analysis.quantities.push_back(quantity);
+        quantities.push_back(quantity);
     }
+    return names;
+}
+
+void read_comparisons(const TomlTable& root, const Axes& axes, Scene& scene) {
     for (const TomlTable& table : root.tables("compare")) {
-        table.choice("quantity", series);
+        table.choice("quantity", series_names(scene));
         const bool wanted = of_this_variant(table, scene);
-        const ComparisonSpec comparison = read_comparison(table, scales, origins);
-        if (wanted) analysis.comparisons.push_back(comparison);
+        const ComparisonSpec comparison = read_comparison(table, axes);
+        if (wanted) scene.analysis.comparisons.push_back(comparison);
     }
+}
+
+void read_deviations(const TomlTable& root, AnalysisSpec& analysis) {
     for (const TomlTable& table : root.tables("deviations")) {
         analysis.deviations.push_back(
             {table.text("item"), table.text("source"), table.text("used"), table.text("reason")});
         table.finish();
     }
-    read_source_figures(root, analysis);
+}
+
+void read_sensitivities(const TomlTable& root, AnalysisSpec& analysis) {
     for (const TomlTable& table : root.tables("sensitivity")) {
         const SensitivitySpec spec{table.text("key"), table.number("low"), table.number("high"),
                                    table.positive("uncertainty"), table.text("source")};
@@ -192,17 +213,32 @@ void read_analysis(const TomlTable& root, Scene& scene) {
         table.finish();
         analysis.sensitivities.push_back(spec);
     }
-    if (const auto table = root.optional_table("source_run")) {
-        const double duration = table->positive("duration");
-        analysis.source_run = {table->positive("particles"), duration / table->positive("time_step"),
-                               table->text("conditions")};
-        table->finish();
-    }
+}
+
+void read_source_run(const TomlTable& root, AnalysisSpec& analysis) {
+    const std::optional<TomlTable> table = root.optional_table("source_run");
+    if (!table) return;
+    const double duration = table->positive("duration");
+    analysis.source_run = {table->positive("particles"), duration / table->positive("time_step"),
+                           table->text("conditions")};
+    table->finish();
+}
+
+}  // namespace
+
+void read_analysis(const TomlTable& root, Scene& scene) {
+    AnalysisSpec& analysis = scene.analysis;
+    const Axes axes = read_axes(root);
+    const std::set<std::string> quantities = read_quantities(root, axes, scene);
+    read_comparisons(root, axes, scene);
+    read_deviations(root, analysis);
+    read_source_figures(root, analysis);
+    read_sensitivities(root, analysis);
+    read_source_run(root, analysis);
     analysis.limits = root.texts("limits");
     analysis.error_quantity = root.text_or("error_quantity", "");
-    if (!analysis.error_quantity.empty() && !names.count(analysis.error_quantity)) {
+    if (!analysis.error_quantity.empty() && !quantities.contains(analysis.error_quantity))
         root.fail("error_quantity", fmt::format("'{}' is not among [[quantities]]", analysis.error_quantity));
-    }
 }
 
 }  // namespace wetdeck

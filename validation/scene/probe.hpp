@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Probes: what a scene records besides the series of every run and of every body. One table of types drives
+// Probes: records of a scene besides the series of every run and of every body. One table of types drives
 // the reading of scene files, the recording and the documentation: a new type is a row and a function in
 // probe_types.cpp.
 #pragma once

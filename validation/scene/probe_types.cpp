@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The types of probes: what each reads from its table of the scene file and how it is sampled.
+// The types of probes: the keys that each reads from its table of the scene file, and its sampling.
 #include <fmt/format.h>
 
 #include <algorithm>

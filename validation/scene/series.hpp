@@ -36,7 +36,7 @@ struct BodySeries {
 };
 const std::vector<BodySeries>& recorded_body_series();
 
-/// What follows from a recorded series of a body when the run has ended: its rate of change.
+/// The rate of change of a recorded series of a body, taken when the run has ended.
 struct DerivedSeries {
     SeriesInfo info;
     const char* recorded;

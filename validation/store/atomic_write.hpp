@@ -10,14 +10,14 @@
 
 namespace wetdeck {
 
-/// What an errno means to a user; "disk full" where there is no space or no quota left.
+/// The meaning of an errno in words; "disk full" where no space or no quota is left.
 std::string system_reason(int error_number);
 
 /// "PATH: cannot DO: REASON".
 EnvironmentError environment_error(const std::filesystem::path& path, const std::string& action,
                                    int error_number);
 
-/// The name under which the bytes of `path` grow until they are whole; what a killed process leaves behind.
+/// The name of the file while it is written; a killed process can leave it behind.
 std::filesystem::path temporary_name(const std::filesystem::path& path);
 
 /// Replaces `path` by a file of these bytes. Whatever happens, `path` then holds either the old or the new

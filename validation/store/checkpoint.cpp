@@ -18,7 +18,7 @@ namespace {
 using hdf5::Node;
 
 constexpr std::uint64_t schema = 1;
-constexpr std::size_t kept = 2;  // the newest may be the one that a dying machine damaged
+constexpr std::size_t kept = 2;  // a crash of the machine may have damaged the newest
 
 std::filesystem::path path_of(const std::filesystem::path& run_dir, std::uint64_t step) {
     return run_dir / fmt::format("checkpoint_{:012}.h5", step);  // by name is by step

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checkpoints of a run, DIR/checkpoint_<step>.h5: what a run needs to go on as if it had never stopped.
+// Checkpoints of a run, DIR/checkpoint_<step>.h5: everything that a run needs to continue with the same bits.
 //
 //   /             attributes schema, step
 //   /texts        one attribute per text
@@ -45,8 +45,7 @@ Checkpoint read_checkpoint(const std::filesystem::path& file);
 /// and all are damaged.
 std::optional<Checkpoint> newest_checkpoint(const std::filesystem::path& run_dir);
 
-/// Removes the checkpoints behind `step`, which a run that goes on from there would otherwise take for newer
-/// than its own.
+/// Removes the checkpoints after `step`: a run that continues from there would take them for its own.
 void remove_checkpoints_after(const std::filesystem::path& run_dir, std::uint64_t step);
 void remove_checkpoints(const std::filesystem::path& run_dir);
 

@@ -137,7 +137,7 @@ std::string vtp_bytes(const FieldFrame& frame) {
     add_array<vtkFloatArray>(data, "density", frame.density);
     add_array<vtkIntArray>(data, "phase", frame.phase);
     add_array<vtkTypeInt64Array>(data, "id", frame.id);
-    data->GetPointData()->SetActiveScalars("pressure");  // what ParaView colours by at first
+    data->GetPointData()->SetActiveScalars("pressure");  // the array by which ParaView colours at first
     vtkNew<vtkDoubleArray> time;
     time->SetName("TimeValue");
     time->InsertNextValue(frame.time);
@@ -157,7 +157,7 @@ std::string vtp_bytes(const FieldFrame& frame) {
     writer->SetCompressorTypeToZLib();
     writer->SetCompressionLevel(1);
     writer->SetHeaderTypeToUInt64();
-    writer->SetIdTypeToInt32();  // of the vertex cells: half the bytes of what nobody looks at
+    writer->SetIdTypeToInt32();  // of the vertex cells: half the bytes
     writer->WriteToOutputStringOn();
     if (writer->Write() == 0 || errors->seen()) {
         throw EnvironmentError("field frame: VTK cannot write it, error code " +

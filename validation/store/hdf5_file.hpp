@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Thin ownership over the C API of HDF5: files and groups that close themselves, know their place, and turn
-// HDF5's error stack into DataError (the content is not what it must be) or EnvironmentError (the machine
+// HDF5's error stack into DataError (wrong content) or EnvironmentError (the machine
 // refused; a full disk says "disk full").
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scalar series of a run while it goes on, DIR/live.h5, so that a killed run keeps what it had.
+// The series of a run in progress, DIR/live.h5: they can be read while the run goes on and after a kill.
 // One table /rows: time [s], then one column per series. The file can be read while it grows.
 #pragma once
 
@@ -29,7 +29,7 @@ std::filesystem::path live_file(const std::filesystem::path& run_dir);
 /// written after that.
 class LiveSeries {
   public:
-    /// Starts the file anew. What a killed run left is not looked at: the checkpoint has its rows.
+    /// Starts the file anew. The rows of an earlier process come from the checkpoint.
     LiveSeries(const std::filesystem::path& run_dir, std::vector<LiveColumn> columns,
                std::size_t rows_per_flush = 64);
     ~LiveSeries();

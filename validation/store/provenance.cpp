@@ -41,19 +41,19 @@ std::string Provenance::line() const {
                        compiler_flags, simd, cpu);
 }
 
-void Provenance::add_to(std::map<std::string, std::string>& choices) const {
-    choices["program_version"] = program_version;
-    choices["commit"] = commit;
-    choices["compiler"] = compiler;
-    choices["compiler_flags"] = compiler_flags;
-    choices["build_type"] = build_type;
-    choices["libraries"] = libraries;
-    choices["simd"] = simd;
-    choices["cpu"] = cpu;
-    choices["host"] = host;
-    choices["cores"] = std::to_string(cores);
-    choices["threads"] = std::to_string(threads);
-    choices["start_time"] = start_time;
+void Provenance::add_to(std::map<std::string, std::string>& entries) const {
+    entries["program_version"] = program_version;
+    entries["commit"] = commit;
+    entries["compiler"] = compiler;
+    entries["compiler_flags"] = compiler_flags;
+    entries["build_type"] = build_type;
+    entries["libraries"] = libraries;
+    entries["simd"] = simd;
+    entries["cpu"] = cpu;
+    entries["host"] = host;
+    entries["cores"] = std::to_string(cores);
+    entries["threads"] = std::to_string(threads);
+    entries["start_time"] = start_time;
 }
 
 Provenance collect_provenance(const std::string& simd, unsigned threads,

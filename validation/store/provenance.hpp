@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a result comes from: the revision of the binary that ran, how it was built, on what it ran.
+// Provenance of a result: revision and build of the program, and the machine.
 // Holds no user name, host name or path of the build machine.
 #pragma once
 
@@ -23,11 +23,11 @@ struct Provenance {
     unsigned threads = 0;
     std::string start_time;  ///< UTC, ISO 8601
 
-    /// One line for files that hold no more: version, commit, compiler and flags, processor. Without
+    /// One line for the field files: version, commit, compiler and flags, processor. Without
     /// start and threads, so that the same run gives the same bytes, on any number of threads.
     std::string line() const;
-    /// As texts, by the names of the members, for RunRecord::choices.
-    void add_to(std::map<std::string, std::string>& choices) const;
+    /// As texts, by the names of the members, for RunRecord::provenance.
+    void add_to(std::map<std::string, std::string>& entries) const;
 };
 
 Provenance collect_provenance(const std::string& simd, unsigned threads,

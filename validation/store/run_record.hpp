@@ -47,8 +47,9 @@ struct RunRecord {
     std::string stop_reason;  ///< one sentence: when, where, why; empty for a run that reached its end
     std::string scene_text;   ///< the scene file as it was read
     std::string scene_path;   ///< where it was read from
-    std::map<std::string, double> parameters;    ///< every resolved number, by dotted key, SI
-    std::map<std::string, std::string> choices;  ///< every resolved name and provenance entry, by key
+    std::map<std::string, double> parameters;  ///< every resolved number, by dotted key, SI
+    std::map<std::string, std::string>
+        provenance;  ///< of scene, program and machine; and texts of parameters
     std::map<std::string, Series> series;
     RunCost cost;
 };

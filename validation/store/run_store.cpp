@@ -18,7 +18,7 @@ using hdf5::Node;
 
 constexpr std::uint64_t schema = 1;
 const std::string parameter_prefix = "parameter:";
-const std::string choice_prefix = "choice:";
+const std::string provenance_prefix = "choice:";  // the name in files of all versions
 const std::set<std::string> fixed_names = {"schema",          "scene",     "variant", "particle_spacing",
                                            "fluid_particles", "particles", "status",  "stop_reason",
                                            "scene_text",      "scene_path"};
@@ -27,7 +27,7 @@ const std::set<std::string> fixed_names = {"schema",          "scene",     "vari
 std::string attribute_for(const std::string& key, const std::string& prefix,
                           const std::set<std::string>& taken) {
     const bool ambiguous = key.empty() || taken.contains(key) || key.starts_with(parameter_prefix) ||
-                           key.starts_with(choice_prefix);
+                           key.starts_with(provenance_prefix);
     return ambiguous ? prefix + key : key;
 }
 
@@ -53,8 +53,8 @@ void write_meta(const Node& file, const RunRecord& record) {
         write_attribute(meta, name, value);
         taken.insert(name);
     }
-    for (const auto& [key, value] : record.choices) {
-        write_attribute(meta, attribute_for(key, choice_prefix, taken), value);
+    for (const auto& [key, value] : record.provenance) {
+        write_attribute(meta, attribute_for(key, provenance_prefix, taken), value);
     }
 }
 
@@ -113,7 +113,7 @@ void read_meta(const Node& file, RunRecord& record) {
     for (const std::string& name : attribute_names(meta)) {
         if (fixed_names.contains(name)) continue;
         if (is_text(meta, name)) {
-            record.choices[key_of(name, choice_prefix)] = read_text(meta, name);
+            record.provenance[key_of(name, provenance_prefix)] = read_text(meta, name);
         } else {
             record.parameters[key_of(name, parameter_prefix)] = read_double(meta, name);
         }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The store of one run, DIR/run.h5: everything of a RunRecord, readable by h5dump and h5py.
 //
-//   /meta              attributes: the fields of RunRecord, every parameter (double) and every choice (text)
-//   /series/<name>     attributes unit, description; datasets time [s], value, and abscissa where value has
+//   /meta              attributes: the fields of RunRecord, every parameter (double) and the provenance
+//   (texts) /series/<name>     attributes unit, description; datasets time [s], value, and abscissa where
+//   value has
 //                      two dimensions (time x abscissa)
 //   /cost              attributes wall_seconds, core_seconds, steps, particle_steps, peak_memory_mb
 //   /cost/stage_seconds, /cost/limiting_criterion     one attribute per stage, per criterion
 //
-// Texts are variable-length UTF-8 and end at a NUL. A key of a parameter or choice that is already taken in
-// /meta is stored behind "parameter:" or "choice:".
+// Texts are variable-length UTF-8 and end at a NUL. A key that is already taken in /meta is stored behind
+// "parameter:" or, of the provenance, "choice:".
 // The file carries a seal (seal.hpp). One without, as other programs leave it that write into it, is read
 // too.
 #pragma once

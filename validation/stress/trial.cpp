@@ -90,9 +90,9 @@ Outcome run_trial(Trial trial) {
     const Balance start = balance(s);
     const double energy_before = energy(s, start), scale = energy_scale(s, start);
     std::optional<Instability> trouble;
-    LastGoodFrame last_good(steps_between_looks(s, steps_between_frames));
+    LastGoodFrame last_good(inspection_interval(s, steps_between_frames));
     last_good.set(frame_of(s, ""));
-    const std::uint64_t between_checks = steps_between_looks(s, steps_between_checks);
+    const std::uint64_t between_checks = inspection_interval(s, steps_between_checks);
     while (!trouble && s.time() < trial.end && s.steps() < trial.most_steps) {
         trouble = s.step(trial.end - s.time());
         const bool last = s.time() >= trial.end;

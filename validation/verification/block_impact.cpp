@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two equal blocks of water meet head on. Incompressible fluid loses, at that instant, the energy of the
-// motion that the impulse takes away.
+// Two equal blocks of water meet head on. Incompressible fluid loses, at that instant, the kinetic energy
+// of the motion that the impulse stops.
 #include <cmath>
 #include <numbers>
 

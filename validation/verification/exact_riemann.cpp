@@ -9,7 +9,7 @@
 namespace wetdeck::verification {
 namespace {
 
-/// What the fluid's speed towards the contact falls by when its pressure becomes `pressure`.
+/// Decrease of the fluid's speed towards the contact when its pressure becomes `pressure`.
 double speed_lost(const FluidSide& side, double pressure) {
     const double before = side.eos.pressure(side.density);
     const double density = side.eos.density(pressure);
@@ -33,7 +33,7 @@ Contact exact_contact(const FluidSide& left, const FluidSide& right) {
                                       right.eos.reference_density * right.eos.sound_speed);
     const double reach =
         2 * impedance * std::abs(left.velocity - right.velocity) + std::abs(p_left - p_right);
-    // no fluid can be thinner than nothing
+    // densities stay positive
     const double vacuum = -(1 - 1e-9) * std::min(left.eos.coefficient(), right.eos.coefficient());
     const double low = std::max(vacuum, std::min(p_left, p_right) - reach),
                  high = std::max(p_left, p_right) + reach;

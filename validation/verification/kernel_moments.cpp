@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Moments of the kernel, and what the pair loop makes of fields whose derivatives are known.
+// Moments of the kernel, and the pair loop applied to fields with known derivatives.
 #include <cmath>
 #include <numbers>
 

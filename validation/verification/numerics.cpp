@@ -15,8 +15,8 @@
 namespace wetdeck::verification {
 namespace {
 
-/// GSL ends the program on any error unless told otherwise; results are checked here instead. The handler is
-/// one for all threads: it comes back when the last of them is done.
+/// Turns off GSL's error handler, which ends the program; results are checked here instead. All threads share
+/// the handler: the last one restores it.
 class ErrorsReturned {
   public:
     ErrorsReturned() {
@@ -52,7 +52,8 @@ double integral(const Function& f, double from, double to) {
     double value = 0, error = 0;
     gsl_integration_qag(&wrapped, from, to, 1e-300, 1e-11, intervals, GSL_INTEG_GAUSS31, workspace.get(),
                         &value, &error);
-    if (!(error <= 1e-8 * std::abs(value))) throw std::logic_error("integral: not to be had to eight digits");
+    if (!(error <= 1e-8 * std::abs(value)))
+        throw std::logic_error("integral: does not converge to eight digits");
     return value;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Poisson's equation on a rectangle by second-order finite differences and a sparse factorisation: pressures
-// that are not to be had in closed form, independent of the particles.
+// without a closed form, independent of the particles.
 #pragma once
 
 #include <vector>

@@ -41,8 +41,8 @@ VerificationProblem solve(const Problem& problem, Effort effort) {
     VerificationProblem result;
     try {
         problem.run(findings);
-    } catch (const Unstable& death) {
-        result.unstable = death.what();
+    } catch (const Unstable& instability) {
+        result.unstable = instability.what();
     }
     result.name = problem.name;
     result.title = problem.title;
@@ -55,7 +55,7 @@ VerificationProblem solve(const Problem& problem, Effort effort) {
 }
 
 void advance(Simulation& simulation, double end, const std::function<void(const Simulation&)>& observe) {
-    // a run that flies apart slowly would take for ever instead of dying
+    // a run that becomes unstable slowly would never end
     constexpr double smallest_share = 0.02;
     const double first_step = simulation.time_step().size;
     while (simulation.time() < end) {

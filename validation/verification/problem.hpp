@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A problem with an exact solution: what it claims, and how it is run.
+// A problem with an exact solution: its claims, and its runs.
 #pragma once
 
 #include <functional>
@@ -15,13 +15,13 @@ namespace wetdeck::verification {
 /// quick: the coarse resolutions of the problems that take seconds, for tests. full: everything.
 enum class Effort { quick, full };
 
-/// A run of the solver died on the way.
+/// A run of the solver became unstable.
 class Unstable : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// Gathers what a problem finds.
+/// Collects the results of a problem.
 class Findings {
   public:
     Findings(const std::vector<Claim>& claims, Effort effort);
@@ -30,12 +30,12 @@ class Findings {
     std::vector<double> levels(std::vector<double> coarse_to_fine) const;
     bool full() const { return effort_ == Effort::full; }
 
-    /// An error of a claimed quantity. Throws std::logic_error where nothing was claimed of it.
+    /// An error of a claimed quantity. Throws std::logic_error for a quantity without a claim.
     void record(const std::string& quantity, double resolution, double error);
     void note(std::string text) { notes_.push_back(std::move(text)); }
     VerificationFigure& figure(VerificationFigure figure);
 
-    /// Judged rows; a claim that nothing was recorded of has not held.
+    /// Judged rows; a claim without recorded errors is missed.
     std::vector<VerificationRow> rows() const;
     const std::vector<VerificationFigure>& figures() const { return figures_; }
     const std::vector<std::string>& notes() const { return notes_; }
@@ -55,7 +55,7 @@ struct Problem {
     std::function<void(Findings&)> run;
 };
 
-/// Runs a problem and judges it. A run that dies is part of the result.
+/// Runs a problem and judges it. An unstable run is part of the result.
 VerificationProblem solve(const Problem& problem, Effort effort);
 
 /// Steps to `end`; calls `observe` after each step. Throws Unstable.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Models, particles and measures that several problems share.
+// Models, set-ups and measures that several problems share.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,7 @@ TEST_CASE("A baseline is refused from a changed or unknown program and never ove
     const samples::ScratchFolder folder;
     RunRecord run = samples::stored_run(0.02);
     const std::string commit = GENERATE("abc1234-dirty", "unknown");
-    run.choices["commit"] = commit;
+    run.provenance["commit"] = commit;
     samples::store(folder / "runs/a", run);
     CHECK_THROWS_WITH(write_baseline(folder, folder / "base.json", false), Catch::Contains(commit));
     CHECK_FALSE(std::filesystem::exists(folder / "base.json"));

@@ -33,7 +33,7 @@ inline RunSummary run(const std::string& variant, double spacing) {
     r.record.particle_spacing = spacing;
     r.record.particles = 1234;
     r.record.cost = {10, 20, 500, 5e5, 64, {{"rates", 7}, {"advance", 3}}, {{"acoustic", 500}}};
-    r.record.choices = {{"commit", "abc1234"}, {"start_time", "2020-01-01T00:00:00Z"}};
+    r.record.provenance = {{"commit", "abc1234"}, {"start_time", "2020-01-01T00:00:00Z"}};
     r.directory = "runs/tank/" + variant + "/" + std::to_string(spacing);
     for (const char* name : {"energy_kinetic", "energy_potential", "energy_compression"}) {
         r.record.series[name] = {"J/m", "", {0, 1, 2}, {1, 2, 3}, {}};

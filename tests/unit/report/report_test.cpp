@@ -88,7 +88,7 @@ TEST_CASE("Markup in any text of a scene or run is shown and not obeyed", "[repo
         run.record.variant += evil;
         run.record.stop_reason = run.record.scene_text = evil;
         run.record.status = RunStatus::failed;
-        run.record.choices[evil] = evil;
+        run.record.provenance[evil] = evil;
         run.record.parameters[evil] = 1;
         run.record.cost.stage_seconds[evil] = 1;
         run.record.cost.limiting_criterion[evil] = 1;
@@ -256,11 +256,11 @@ TEST_CASE("A changed reference file is counted for the runs that used it", "[rep
     for (RunSummary& run : summary.runs) {
         run.comparisons[0].reference_hash = "fnv1a64:2";
         // the single-phase runs were compared with another file alone
-        run.record.choices["reference_hashes"] =
+        run.record.provenance["reference_hashes"] =
             run.record.variant == "two-phase" ? "big_gauge fnv1a64:2, gauge fnv1a64:1" : "other fnv1a64:3";
     }
     CHECK(contains(page_of(summary), "fnv1a64:2; 2 of the runs used another version</td>"));
-    for (RunSummary& run : summary.runs) run.record.choices["reference_hashes"] = "gauge fnv1a64:2";
+    for (RunSummary& run : summary.runs) run.record.provenance["reference_hashes"] = "gauge fnv1a64:2";
     CHECK_FALSE(contains(page_of(summary), "used another version"));
 }
 

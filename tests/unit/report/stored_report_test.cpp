@@ -90,7 +90,7 @@ TEST_CASE("Runs of the sensitivity study give the input uncertainty and are no r
     samples::store_sweep(folder, 3, scene);
     for (const auto& [value, factor] : {std::pair("0.1", 0.0), std::pair("0.3", 100.0)}) {
         RunRecord varied = samples::stored_run(0.02, factor, scene);
-        varied.choices["overrides"] = std::string("initial.surface=") + value;
+        varied.provenance["overrides"] = std::string("initial.surface=") + value;
         samples::store(folder / (std::string("sensitivity/small/initial.surface=") + value), varied);
     }
     const Summary summary = analyse_directory(folder);

@@ -45,7 +45,7 @@ inline RunRecord stored_run(double dx, double factor = 3, const std::string& sce
     record.particles = record.fluid_particles = 100;
     record.scene_text = scene;
     record.scene_path = "small.toml";
-    record.choices = {
+    record.provenance = {
         {"commit", "abc1234"}, {"start_time", "2020-01-01T00:00:00Z"}, {"compiler", "a compiler"}};
     record.cost.wall_s = record.cost.core_s = 1 / dx;
     record.cost.steps = 10;

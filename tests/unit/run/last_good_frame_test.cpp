@@ -22,7 +22,7 @@ TEST_CASE("a frame is kept at intervals and more often at the start", "[run]") {
 TEST_CASE("the interval is shorter where the air takes several steps in one", "[run]") {
     const auto interval = [](const char* variant, std::uint64_t least) {
         const Scene scene = parse_scene(samples::small_scene, "small.toml", variant);
-        return steps_between_looks(assemble(scene, 0.04, 1), 256, least);
+        return inspection_interval(assemble(scene, 0.04, 1), 256, least);
     };
     CHECK(interval("single-phase", 1) == 256);
     CHECK(interval("two-phase", 1) == 64);  // three steps of the air in one of the water

@@ -18,26 +18,26 @@ TEST_CASE("times are written in UTC to the second", "[store]") {
 
 TEST_CASE("provenance names program, build, machine and start", "[store]") {
     const auto start = std::chrono::system_clock::from_time_t(1'717'156'800);
-    std::map<std::string, std::string> choices;
-    collect_provenance("AVX2", 3, start).add_to(choices);
+    std::map<std::string, std::string> entries;
+    collect_provenance("AVX2", 3, start).add_to(entries);
     for (const char* key :
          {"program_version", "commit", "compiler", "build_type", "libraries", "cpu", "host"}) {
         INFO(key);
-        REQUIRE_FALSE(choices.at(key).empty());
+        REQUIRE_FALSE(entries.at(key).empty());
     }
-    REQUIRE(choices.at("simd") == "AVX2");
-    REQUIRE(choices.at("threads") == "3");
-    REQUIRE(choices.at("start_time") == "2024-05-31T12:00:00Z");
-    REQUIRE(std::stoi(choices.at("cores")) > 0);
-    REQUIRE_THAT(choices.at("libraries"), Catch::Contains("HDF5 1."));
+    REQUIRE(entries.at("simd") == "AVX2");
+    REQUIRE(entries.at("threads") == "3");
+    REQUIRE(entries.at("start_time") == "2024-05-31T12:00:00Z");
+    REQUIRE(std::stoi(entries.at("cores")) > 0);
+    REQUIRE_THAT(entries.at("libraries"), Catch::Contains("HDF5 1."));
 }
 
 TEST_CASE("provenance gives away neither host name nor folders", "[store]") {
     char name[256] = {};
     REQUIRE(::gethostname(name, sizeof name - 1) == 0);
-    std::map<std::string, std::string> choices;
-    collect_provenance("AVX2", 3).add_to(choices);
-    for (const auto& [key, text] : choices) {
+    std::map<std::string, std::string> entries;
+    collect_provenance("AVX2", 3).add_to(entries);
+    for (const auto& [key, text] : entries) {
         INFO(key << " = " << text);
         REQUIRE(text.find(std::string("/home/")) == std::string::npos);
         REQUIRE(text != name);

@@ -62,9 +62,9 @@ TEST_CASE("keys that are taken in the file survive", "[store]") {
     record.parameters["model.air"] = 1;
     record.parameters["choice:odd"] = 2;
     record.parameters[""] = 3;
-    record.choices["variant"] = "another";
-    record.choices["model.air"] = "yes";
-    record.choices["parameter:odd"] = "odd";
+    record.provenance["variant"] = "another";
+    record.provenance["model.air"] = "yes";
+    record.provenance["parameter:odd"] = "odd";
     REQUIRE(samples::same(round_trip(record), record));
 }
 

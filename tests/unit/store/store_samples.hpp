@@ -86,7 +86,7 @@ inline RunRecord record(std::size_t rows = 2000) {
     run.scene_text = "# Δx = 0.01 m\n[water]\nsound_speed = 40.0\n";
     run.scene_path = "scenes/dam_break.toml";
     run.parameters = {{"water.sound_speed", 40.0}, {"gravity", -9.81}, {"tiny", 5e-324}};
-    run.choices = {{"model.wall", "no-slip"}, {"commit", "0123456789ab"}, {"empty", ""}};
+    run.provenance = {{"model.wall", "no-slip"}, {"commit", "0123456789ab"}, {"empty", ""}};
     Series front{"m", "furthest water particle", {}, {}, {}};
     for (std::size_t i = 0; i < rows; ++i) {
         front.time.push_back(0.1 * static_cast<double>(i));
@@ -112,10 +112,11 @@ inline bool same(const RunRecord& a, const RunRecord& b) {
     bool equal = a.scene == b.scene && a.variant == b.variant && a.particle_spacing == b.particle_spacing &&
                  a.fluid_particles == b.fluid_particles && a.particles == b.particles &&
                  a.status == b.status && a.stop_reason == b.stop_reason && a.scene_text == b.scene_text &&
-                 a.scene_path == b.scene_path && a.parameters == b.parameters && a.choices == b.choices &&
-                 a.cost.wall_s == b.cost.wall_s && a.cost.core_s == b.cost.core_s &&
-                 a.cost.steps == b.cost.steps && a.cost.particle_steps == b.cost.particle_steps &&
-                 a.cost.peak_rss_mb == b.cost.peak_rss_mb && a.cost.stage_seconds == b.cost.stage_seconds &&
+                 a.scene_path == b.scene_path && a.parameters == b.parameters &&
+                 a.provenance == b.provenance && a.cost.wall_s == b.cost.wall_s &&
+                 a.cost.core_s == b.cost.core_s && a.cost.steps == b.cost.steps &&
+                 a.cost.particle_steps == b.cost.particle_steps && a.cost.peak_rss_mb == b.cost.peak_rss_mb &&
+                 a.cost.stage_seconds == b.cost.stage_seconds &&
                  a.cost.limiting_criterion == b.cost.limiting_criterion && a.series.size() == b.series.size();
     for (const auto& [name, series] : a.series) {
         const auto other = b.series.find(name);
