@@ -21,8 +21,8 @@ template <class Particles, class Value>
 struct Field {
     const char* name;                       ///< in a checkpoint
     std::vector<Value> Particles::*values;  ///< one entry a particle
-    Sorted sorted;
-    Stored stored;
+    Sorted sorted;                          ///< whether it follows its particle
+    Stored stored;                          ///< whether a checkpoint holds it
 };
 
 /// Calls visit(field, array) for each field of `particles`, in the order of their declaration.
