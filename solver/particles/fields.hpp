@@ -23,6 +23,10 @@ struct Field {
     std::vector<Value> Particles::*values;  ///< one entry a particle
     Sorted sorted;                          ///< whether it follows its particle
     Stored stored;                          ///< whether a checkpoint holds it
+
+    /// A declaration; clang 14 deduces no template arguments of an aggregate.
+    constexpr Field(const char* its_name, std::vector<Value> Particles::*array, Sorted follows, Stored kept)
+        : name(its_name), values(array), sorted(follows), stored(kept) {}
 };
 
 /// Calls visit(field, array) for each field of `particles`, in the order of their declaration.
