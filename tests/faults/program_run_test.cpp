@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that end well, become unstable or meet a machine that refuses; what is on disk afterwards.
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
+#include "solver/scheme_revision.hpp"
 #include "tests/faults/program_support.hpp"
+#include "validation/scene/model_keys.hpp"
 #include "validation/store/fields.hpp"
 #include "validation/store/run_store.hpp"
 
@@ -57,6 +60,13 @@ TEST_CASE("a run's store tells what was run, by what, where and at what cost", "
         REQUIRE_FALSE(record.provenance.at(key).empty());
     }
     REQUIRE_THAT(record.provenance.at("resolved_scene"), Contains("background_pressure = 0.0"));
+    const nlohmann::json parameters = nlohmann::json::parse(record.provenance.at("parameters"));
+    for (const ModelKey& row : model_keys()) {
+        INFO(row.dotted());
+        CHECK(parameters.contains(row.dotted()) == (row.table != "air"));  // water alone
+    }
+    CHECK(parameters.at("model.wall_pressure") == "shepard-water");  // a default
+    CHECK(record.parameters.at("scheme_revision") == scheme_revision);
     for (const char* key :
          {"particle_spacing", "smoothing_length", "gravity_y", "water.sound_speed", "model.courant_number"}) {
         INFO(key);

@@ -229,3 +229,41 @@ TEST_CASE("a suite starts a run again whose checkpoints are all damaged", "[faul
     REQUIRE(run_program(arguments).code == 0);
     REQUIRE(read_run(run / "run.h5").status == RunStatus::ok);
 }
+
+TEST_CASE("a variant that is expected to become unstable is no failure, whatever its name", "[faults]") {
+    for (const bool expected : {false, true}) {
+        const ScratchFolder folder;
+        const std::string key = expected ? "\nexpect = \"unstable\"" : "";
+        const std::string text = samples::with("[variants.two-phase]",
+                                               "[variants.two-phase]\nscheme = \"yang2020-literal\"" + key);
+        const std::string scene =
+            put_scene(folder, samples::replaced(text, "single-phase = [0.02, 0.04]", "two-phase = [0.04]"));
+        const Outcome outcome = run_program(suite(scene, folder));
+        INFO(outcome.out << outcome.err);
+        REQUIRE_THAT(outcome.out, Contains("became unstable"));
+        CHECK(outcome.code == (expected ? 0 : 3));
+    }
+}
+
+TEST_CASE(
+    "a changed label leaves a finished suite done, a changed tank does not; the plan names the revision",
+    "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_scene(folder);
+    REQUIRE(run_program(suite(scene, folder)).code == 0);
+    const auto plan = [&] {
+        std::vector<std::string> arguments = suite(scene, folder);
+        arguments.insert(arguments.end(), {"--plan", "--json"});
+        return nlohmann::json::parse(run_program(arguments).out).at("rows");
+    };
+    put_scene(folder, samples::with("title = \"A small column\"", "title = \"Another title\""));
+    for (const nlohmann::json& row : plan()) {
+        CHECK(row.at("state") == "done");
+        CHECK(row.at("revision").get<std::string>().size() >= 7);
+    }
+    put_scene(folder, samples::with("size = [1.0, 0.48]", "size = [1.0, 0.52]"));
+    for (const nlohmann::json& row : plan()) {
+        CHECK(row.at("state") == "to do");
+        CHECK(row.at("revision").is_null());
+    }
+}
