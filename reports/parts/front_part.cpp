@@ -155,14 +155,16 @@ std::string mixture_notice(const Summary& summary) {
     }
     std::string out;
     if (revisions.size() > 1)
-        out += paragraph(fmt::format("The runs were made with different revisions of the numerical scheme ({}).",
-                                     fmt::join(revisions, ", ")),
-                         "notice");
+        out +=
+            paragraph(fmt::format("The runs were made with different revisions of the numerical scheme ({}).",
+                                  fmt::join(revisions, ", ")),
+                      "notice");
     if (others > 0)
-        out += paragraph(fmt::format("{} of the runs have another set-up or scheme than the latest run of their "
-                                     "variant. They are shown, and nothing is computed from both.",
-                                     others),
-                         "notice");
+        out +=
+            paragraph(fmt::format("{} of the runs have another set-up or scheme than the latest run of their "
+                                  "variant. They are shown, and nothing is computed from both.",
+                                  others),
+                      "notice");
     return out;
 }
 

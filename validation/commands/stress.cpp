@@ -98,12 +98,11 @@ std::vector<Task> tasks_of(const std::vector<Case>& cases, bool fast, const fs::
             for (const Scheme& scheme : schemes) {
                 if (fast && (!setting.quick || !scheme.empty())) continue;
                 const bool standard = scheme.empty();
-                tasks.push_back(
-                    {{member.name, setting.name + (standard ? "" : ", " + scheme), false, "", ""},
-                     standard && setting.beyond.empty(),
-                     [&setting, scheme, &directory](StressRow& row) {
-                         run_setting(row, setting, scheme, directory);
-                     }});
+                tasks.push_back({{member.name, setting.name + (standard ? "" : ", " + scheme), false, "", ""},
+                                 standard && setting.beyond.empty(),
+                                 [&setting, scheme, &directory](StressRow& row) {
+                                     run_setting(row, setting, scheme, directory);
+                                 }});
             }
         }
         if (fast) continue;

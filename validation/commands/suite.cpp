@@ -57,15 +57,16 @@ void print_plan(const PlanOptions& options, bool as_json) {
         if (!as_json)
             fmt::print("{:>4}  {:>10.4g}  {:>11}  {:>12}  {}\n", plan.size(), row.estimated_core_seconds,
                        state.name, state.revision.substr(0, 12), row_name(row));
-        plan.push_back({{"row", plan.size()},
-                        {"scene", row.scene},
-                        {"variant", row.variant},
-                        {"dx", row.particle_spacing},
-                        {"overrides", row.overrides},
-                        {"core_s", row.estimated_core_seconds},
-                        {"state", state.name},
-                        {"revision", state.revision.empty() ? nlohmann::json() : nlohmann::json(state.revision)},
-                        {"directory", row.directory.string()}});
+        plan.push_back(
+            {{"row", plan.size()},
+             {"scene", row.scene},
+             {"variant", row.variant},
+             {"dx", row.particle_spacing},
+             {"overrides", row.overrides},
+             {"core_s", row.estimated_core_seconds},
+             {"state", state.name},
+             {"revision", state.revision.empty() ? nlohmann::json() : nlohmann::json(state.revision)},
+             {"directory", row.directory.string()}});
     }
     if (as_json) {
         const nlohmann::json all = {{"tier", options.tier}, {"core_s_left", left}, {"rows", plan}};

@@ -17,7 +17,8 @@ namespace {
 
 std::string version_text(bool as_json) {
     const Provenance p =
-        collect_provenance(pair_passes(Model{}, instruction_set_from_environment()).instruction_set, static_cast<unsigned>(omp_get_max_threads()));
+        collect_provenance(pair_passes(Model{}, instruction_set_from_environment()).instruction_set,
+                           static_cast<unsigned>(omp_get_max_threads()));
     if (!as_json)
         return fmt::format("wetdeck {}\ncommit {}\ncompiler {} ({})\ninstruction set {}\nthreads {}",
                            p.program_version, p.commit, p.compiler, p.build_type, p.simd, p.threads);

@@ -51,8 +51,8 @@ std::map<std::pair<std::string, std::string>, std::string> current_setups(
 void keep_setups_apart(std::vector<RunSummary>& runs, std::vector<SensitivityRun>& varied) {
     const auto setups = current_setups(runs);
     for (RunSummary& run : runs)
-        run.other_setup =
-            provenance_entry(run.record, "setup_identity") != setups.at({run.record.scene, run.record.variant});
+        run.other_setup = provenance_entry(run.record, "setup_identity") !=
+                          setups.at({run.record.scene, run.record.variant});
     std::erase_if(varied, [&](const SensitivityRun& one) {
         const RunRecord& record = one.run.record;
         const auto found = setups.find({record.scene, record.variant});
