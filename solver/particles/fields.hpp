@@ -21,8 +21,12 @@ template <class Particles, class Value>
 struct Field {
     const char* name;                       ///< in a checkpoint
     std::vector<Value> Particles::*values;  ///< one entry a particle
-    Sorted sorted;
-    Stored stored;
+    Sorted sorted;                          ///< whether it follows its particle
+    Stored stored;                          ///< whether a checkpoint holds it
+
+    /// A declaration; clang 14 deduces no template arguments of an aggregate.
+    constexpr Field(const char* its_name, std::vector<Value> Particles::*array, Sorted follows, Stored kept)
+        : name(its_name), values(array), sorted(follows), stored(kept) {}
 };
 
 /// Calls visit(field, array) for each field of `particles`, in the order of their declaration.

@@ -138,19 +138,24 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
         store(in.kernel.normalisation() * sums.kernel_sum, in.kernel_sum, cluster);
 }
 
+/// The same without a kernel sum.
+template <DensityTerms terms>
+constexpr DensityTerms without_sum = {terms.harmonic_velocity, terms.harmonic_impedance,
+                                      terms.hydrostatic_correction, terms.mirrored_walls, false};
+/// The same for the air.
+template <DensityTerms terms>
+constexpr DensityTerms of_air = {terms.harmonic_velocity, terms.harmonic_impedance,
+                                 terms.hydrostatic_correction, false, false};
+
 template <DensityTerms terms>
 void density_rates(const PassInput& in) {
-    constexpr DensityTerms without_sum = {terms.harmonic_velocity, terms.harmonic_impedance,
-                                          terms.hydrostatic_correction, terms.mirrored_walls, false};
-    constexpr DensityTerms of_air = {terms.harmonic_velocity, terms.harmonic_impedance,
-                                     terms.hydrostatic_correction, false, false};
     for_clusters(in, [&in](const Cluster& cluster) {
         if (cluster.phase == Phase::air) {
-            cluster_density_rates<of_air>(in, cluster);
+            cluster_density_rates<of_air<terms>>(in, cluster);
         } else if (in.kernel_sum) {
             cluster_density_rates<terms>(in, cluster);
         } else {
-            cluster_density_rates<without_sum>(in, cluster);
+            cluster_density_rates<without_sum<terms>>(in, cluster);
         }
     });
 }

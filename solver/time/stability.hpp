@@ -51,6 +51,7 @@ class StabilityBounds {
     /// near.
     std::optional<Instability> of_bodies(const std::vector<RigidBody>& bodies) const;
 
+    /// Of water and air [kg/m^3].
     const std::array<double, phase_count>& reference_densities() const { return reference_densities_; }
 
   private:

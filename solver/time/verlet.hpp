@@ -32,8 +32,8 @@ struct Substep {
     int number = 0;  ///< from 0
     int count = 1;   ///< m
 
-    bool middle() const { return number == count / 2; }
-    bool last() const { return number == count - 1; }
+    bool middle() const { return number == count / 2; }  ///< whether it compresses the water
+    bool last() const { return number == count - 1; }    ///< whether it ends the step of the water
 };
 
 /// Advances the flow by one step of the air. The flow must hold the rates of the last one, or of an

@@ -1,63 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// toml++ 3.3 aborts on some malformed input where assertions are on; with NDEBUG it reports a parse error.
-#ifndef NDEBUG
-#define NDEBUG
-#endif
-#define TOML_ENABLE_FORMATTERS 1
 #include "validation/scene/toml_reader.hpp"
 
-#include <fmt/format.h>
-
-#include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <sstream>
 
 #include "solver/core/errors.hpp"
+#include "validation/scene/toml_node.hpp"
 
 namespace wetdeck {
-
-struct TomlTable::Node {
-    const toml::table* table = nullptr;
-    std::string prefix;  ///< dotted path with a trailing dot, or empty
-    std::shared_ptr<const std::string> path;
-    std::set<std::string> known;
-};
-
-struct TomlDocument::State {
-    toml::table root;
-    std::string text;
-    std::shared_ptr<const std::string> path;
-};
-
 namespace {
-
-std::string place(const std::string& path, const toml::source_region& region) {
-    if (region.path && *region.path != path) return *region.path;  // from the command line
-    return region.begin.line > 0 ? fmt::format("{}:{}", path, region.begin.line) : path;
-}
-
-/// Moves the entries of `source`: a copy would forget where in the file they stand.
-void merge(toml::table& target, toml::table& source) {
-    for (auto&& [key, value] : source) {
-        toml::node* existing = target.get(key.str());
-        if (existing && existing->is_table() && value.is_table()) {
-            merge(*existing->as_table(), *value.as_table());
-        } else {
-            const toml::key& name = key;  // clang 14 cannot capture a structured binding
-            value.visit([&](auto& entry) { target.insert_or_assign(name.str(), std::move(entry)); });
-        }
-    }
-}
-
-toml::table parse(const std::string& text, const std::string& path) {
-    try {
-        return toml::parse(text, path);
-    } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format("{}: {}", place(path, error.source()), error.description()));
-    }
-}
 
 /// Whether one letter added, dropped or swapped with its neighbour makes one word the other; a changed one
 /// would take y_column for x_column.
@@ -71,9 +22,6 @@ bool is_slip_of(std::string given, std::string meant) {
 }
 
 }  // namespace
-
-// --- tables
-// ---------------------------------------------------------------------------------------------------------
 
 void TomlTable::fail(const std::string& key, const std::string& message) const {
     const toml::node* entry = node_->table->get(key);
@@ -237,164 +185,6 @@ void TomlTable::finish() const {
         if (node_->known.count(key)) continue;
         fail(key, fmt::format("unknown, expected one of {}", fmt::join(node_->known, ", ")));
     }
-}
-
-// --- document
-// -------------------------------------------------------------------------------------------------------
-
-TomlDocument::TomlDocument(const std::string& text, const std::string& path)
-    : state_(std::make_unique<State>(
-          State{parse(text, path), text, std::make_shared<const std::string>(path)})) {}
-TomlDocument::~TomlDocument() = default;
-TomlDocument::TomlDocument(TomlDocument&&) noexcept = default;
-
-void TomlDocument::overlay(const std::vector<std::string>& path_to_table, Overlay entries) {
-    toml::table again = parse(state_->text, *state_->path);
-    toml::table* source = &again;
-    for (const std::string& key : path_to_table) {
-        toml::node* child = source->get(key);
-        if (!child || !child->is_table())
-            throw InputError(fmt::format("{}: no table '{}'", *state_->path, key));
-        source = child->as_table();
-    }
-    if (entries == Overlay::all) return merge(state_->root, *source);
-    for (auto&& [key, value] : *source) {
-        toml::node* existing = state_->root.get(key.str());
-        if (existing && existing->is_table() && value.is_table())
-            merge(*existing->as_table(), *value.as_table());
-    }
-}
-
-namespace {
-
-/// The table that holds the last key of a dotted path, and that key.
-std::pair<toml::table*, std::string> holder_of(toml::table& root, const std::string& dotted, bool create) {
-    toml::table* table = &root;
-    std::size_t begin = 0;
-    for (std::size_t dot = dotted.find('.'); dot != std::string::npos; dot = dotted.find('.', begin)) {
-        const std::string key = dotted.substr(begin, dot - begin);
-        if (create && !table->contains(key)) table->insert(key, toml::table{});
-        toml::node* child = table->get(key);
-        if (!child || !child->is_table()) return {nullptr, ""};
-        table = child->as_table();
-        begin = dot + 1;
-    }
-    return {table, dotted.substr(begin)};
-}
-
-std::string text_of(const toml::table& table) {
-    std::ostringstream out;
-    out << toml::toml_formatter(table) << '\n';
-    return out.str();
-}
-
-}  // namespace
-
-std::optional<std::string> TomlDocument::rename(const std::string& old_key, const std::string& new_key,
-                                                bool may_replace) {
-    const auto [from, old_name] = holder_of(state_->root, old_key, false);
-    if (!from || !from->contains(old_name)) return std::nullopt;
-    const std::string where = place(*state_->path, from->get(old_name)->source());
-    const auto [to, new_name] = holder_of(state_->root, new_key, true);
-    if (!to || (to->contains(new_name) && !may_replace))
-        throw InputError(
-            fmt::format("{}: key '{}': is called '{}' now, and both are given", where, old_key, new_key));
-    toml::table* const target = to;  // clang 14 cannot capture a structured binding
-    const std::string name = new_name;
-    from->get(old_name)->visit([&](auto& entry) { target->insert_or_assign(name, std::move(entry)); });
-    from->erase(old_name);
-    return fmt::format("{}: key '{}' is called '{}' now; the old name is read for one more release", where,
-                       old_key, new_key);
-}
-
-std::string TomlDocument::nested_in(const std::vector<std::string>& path_to_table) const {
-    toml::table nested = state_->root;
-    for (auto key = path_to_table.rbegin(); key != path_to_table.rend(); ++key) {
-        toml::table outer;
-        outer.insert(*key, std::move(nested));
-        nested = std::move(outer);
-    }
-    return text_of(nested);
-}
-
-std::string TomlDocument::array_text(const std::string& key, const std::vector<std::string>& without) const {
-    const toml::array* array = state_->root.get_as<toml::array>(key);
-    if (!array) return "";
-    std::string all;
-    for (const toml::node& entry : *array) {
-        if (!entry.is_table()) continue;
-        toml::table table = *entry.as_table();
-        for (const std::string& name : without) table.erase(name);
-        all += text_of(table);
-    }
-    return all;
-}
-
-namespace {
-
-/// Position in the text of a line and a column, both from 1; columns count code points.
-std::size_t byte_at(const std::string& text, const toml::source_position& position) {
-    std::size_t at = 0;
-    for (toml::source_index line = 1; line < position.line; ++line) at = text.find('\n', at) + 1;
-    for (toml::source_index column = 1; column < position.column; ++column) {
-        ++at;
-        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) ++at;
-    }
-    return at;
-}
-
-void collect_texts(const toml::table& table, const std::string& wanted, const std::string& prefix,
-                   const std::string& text, std::vector<TomlDocument::TextValue>& found) {
-    for (const auto& [key, value] : table) {
-        const std::string name = prefix + std::string(key.str());
-        if (value.is_table()) {
-            collect_texts(*value.as_table(), wanted, name + ".", text, found);
-        } else if (value.is_string() && key.str() == wanted) {
-            const toml::source_region& region = value.source();
-            if (region.begin.line != region.end.line) continue;
-            found.push_back({name, value.as_string()->get(), region.begin.line, byte_at(text, region.begin),
-                             byte_at(text, region.end)});
-        }
-    }
-}
-
-}  // namespace
-
-std::vector<TomlDocument::TextValue> TomlDocument::texts_named(const std::string& key) const {
-    std::vector<TextValue> found;
-    collect_texts(state_->root, key, "", state_->text, found);
-    std::sort(found.begin(), found.end(),
-              [](const TextValue& a, const TextValue& b) { return a.begin < b.begin; });
-    return found;
-}
-
-void TomlDocument::set(const std::string& assignment) {
-    const std::string where = fmt::format("option --set {}", assignment);
-    const std::size_t equals = assignment.find('=');
-    const bool one_line = assignment.find('\n') == std::string::npos;
-    if (equals == std::string::npos || equals == 0 || !one_line)
-        throw InputError(where + ": expected KEY=VALUE");
-    toml::table parsed;
-    try {
-        parsed = toml::parse(assignment, where);
-    } catch (const toml::parse_error&) {
-        // a bare word is a text
-        const std::string value = assignment.substr(equals + 1);
-        if (value.find_first_of("\"'\\") != std::string::npos)
-            throw InputError(where + ": the value is not valid TOML");
-        parsed = parse(fmt::format("{}=\"{}\"", assignment.substr(0, equals), value), where);
-    }
-    merge(state_->root, parsed);
-}
-
-TomlTable TomlDocument::root() const {
-    return TomlTable(std::make_shared<TomlTable::Node>(TomlTable::Node{&state_->root, "", state_->path, {}}));
-}
-
-std::string TomlDocument::resolved() const {
-    std::ostringstream out;
-    out << toml::toml_formatter(state_->root);
-    return out.str();
 }
 
 }  // namespace wetdeck

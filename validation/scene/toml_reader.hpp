@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Typed reading of TOML tables with errors that name file, line and key, and with no key left unread.
-// All of toml++ stays in toml_reader.cpp.
+// All of toml++ stays in toml_reader.cpp and toml_document.cpp.
 #pragma once
 
 #include <memory>
