@@ -182,8 +182,8 @@ TEST_CASE("the page of the model's keys is what the program prints", "[faults]")
     std::ifstream file(std::string(WETDECK_SOURCE_DIR) + "/docs/keys.md");
     const std::string page{std::istreambuf_iterator<char>(file), {}};
     CHECK_THAT(page, Contains(keys.out));
-    const auto json = nlohmann::json::parse(run_program({"describe", "--keys", "--json"}).out);
-    CHECK(json.size() > 25);
+    const auto rows = nlohmann::json::parse(run_program({"describe", "--keys", "--json"}).out);
+    CHECK(rows.size() > 25);
     CHECK(run_program({"describe"}).code == 2);
     const auto scene = nlohmann::json::parse(run_program({"describe", "wedge", "--json"}).out);
     CHECK(scene.at("parameters").at("model.wall_pressure") == "shepard-water");
