@@ -39,8 +39,8 @@ int main() {
         const double wet = s.time() - dx / speed;  // since the keel met the water
         ratio = s.bodies()[0].impulse.y() / (0.5 * coefficient * 1000 * speed * speed * speed * wet * wet);
     };
-    const std::optional<Instability> trouble = simulation.run(0.012, probe);
-    if (trouble) std::fprintf(stderr, "%s\n", trouble->describe().c_str());
+    const std::optional<Instability> instability = simulation.run(0.012, probe);
+    if (instability) std::fprintf(stderr, "%s\n", instability->describe().c_str());
     std::printf("impulse over that of the similarity solution: %.3f\n", ratio);
-    return trouble ? 1 : 0;
+    return instability ? 1 : 0;
 }

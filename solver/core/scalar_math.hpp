@@ -15,8 +15,9 @@ inline double minimum(double a, double b) {
 inline double positive_part(double a) {
     return maximum(a, 0);
 }
-inline bool any(bool condition) {
-    return condition;
+/// Whether a < b, for a pack in any lane.
+inline bool any_less(double a, double b) {
+    return a < b;
 }
 inline double select(bool condition, double a, double b) {
     return condition ? a : b;

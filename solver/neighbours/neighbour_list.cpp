@@ -175,21 +175,24 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
         key_[i] = sort_key(fluid.state[i].x, fluid.state[i].y, fluid.phase(i));
     }
     counting_sort(key_, phase_count * cells(), fluid_start_, order_);
-    for_each_field(sorted_, [&](const auto& field, auto& values) {
-        if (field.sorted == Sorted::yes) values.resize(fluid.size());
+    for_each_field(fluid, [&](const auto& field, auto& values) {
+        if (field.sorted == Sorted::no) return;
+        auto& sorted = sorted_.*field.values;
+        sorted.resize(fluid.size());
+#pragma omp parallel for schedule(static) num_threads(threads)
+        for (std::int64_t n = 0; n < size; ++n) {
+            const auto i = static_cast<std::size_t>(n);
+            sorted[i] = values[order_[i]];
+        }
+        std::swap(values, sorted);
     });
     built_.resize(2 * fluid.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
-        const std::uint32_t from = order_[i];
-        copy_sorted_fields(fluid, from, sorted_, i);
-        built_[2 * i] = fluid.state[from].x;
-        built_[2 * i + 1] = fluid.state[from].y;
+        built_[2 * i] = fluid.state[i].x;
+        built_[2 * i + 1] = fluid.state[i].y;
     }
-    for_each_field(fluid, [&](const auto& field, auto& values) {
-        if (field.sorted == Sorted::yes) std::swap(values, sorted_.*field.values);
-    });
 }
 
 /// Sorts the images like the fluid: by phase, then along the grid.

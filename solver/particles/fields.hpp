@@ -42,14 +42,6 @@ void append_particle(Particles& particles) {
     for_each_field(particles, [](const auto&, auto& values) { values.emplace_back(); });
 }
 
-/// Copies the sorted fields of particle `from` of one set to place `to` of another.
-template <class Particles>
-void copy_sorted_fields(const Particles& source, std::size_t from, Particles& target, std::size_t to) {
-    for_each_field(target, [&](const auto& field, auto& values) {
-        if (field.sorted == Sorted::yes) values[to] = (source.*field.values)[from];
-    });
-}
-
 /// Memory of one particle in all fields [bytes].
 template <class Particles>
 std::size_t bytes_of_fields(const Particles& particles) {

@@ -45,8 +45,7 @@ WETDECK_INLINE Pack fluid_p_star(const PassInput& in, const Lanes& i, const Flui
 }
 
 template <MomentumTerms terms>
-WETDECK_INLINE VectorSum fluid_sum(const PassInput& in, const Lanes& i, Neighbours neighbours,
-                                   const PairCoefficients& c) {
+VectorSum fluid_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, const PairCoefficients& c) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
     VectorSum sum;
     for (const std::uint32_t index : neighbours) {

@@ -51,13 +51,15 @@ std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candida
     std::memcpy(&px.lanes, points.x, sizeof px.lanes);
     std::memcpy(&py.lanes, points.y, sizeof py.lanes);
     const Pack reach2 = reach * reach;
+    const double* position = candidates.positions + candidates.begin * candidates.stride;
+    const std::size_t stride = candidates.stride;  // a local: `out` might write to the candidates' numbers
+    const std::uint32_t end = candidates.end;
     std::uint32_t found = 0;
-    for (std::uint32_t candidate = candidates.begin; candidate < candidates.end; ++candidate) {
-        const double* position = candidates.positions + candidate * candidates.stride;
+    for (std::uint32_t candidate = candidates.begin; candidate < end; ++candidate, position += stride) {
         const Pack x = px - position[0];
         const Pack y = py - position[1];
         out[found] = candidate;
-        found += any(x * x + y * y < reach2) ? 1 : 0;
+        found += any_less(x * x + y * y, reach2) ? 1 : 0;
     }
     return found;
 }

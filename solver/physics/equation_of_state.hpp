@@ -64,7 +64,7 @@ Real power_seven_fifths(Real x) {
         const Real fifth = root2 * root2 * root;
         const Real miss = square - fifth;
         root = root + root * miss / (3.0 * fifth + 2.0 * square);
-        if (!any(maximum(miss, -miss) > 1e-5 * square))
+        if (!any_less(1e-5 * square, maximum(miss, -miss)))
             break;  // a cubically convergent step has reached rounding
     }
     return x * root;

@@ -2,10 +2,10 @@
 // Means of two particles' values, Yang et al. (2020), Eq. (11) and its alternatives.
 //
 // Arithmetic, density- and impedance-weighted means are linear in the values: one pair of weights per pair of
-// phases, from reference states. The harmonic mean 2ab/(a+b) is the paper's: of the velocity vectors it is
-// taken by component, because in v* = u* e + (v_bar - u_bar e) the mean u_bar of the projections cancels
-// along e. Where a and b differ in sign it is singular at a + b = 0 and depends on the observer's motion; a
-// guard says what stands there.
+// phases, from reference states. The harmonic mean 2ab/(a+b) is that of Yang et al.: of the velocity vectors
+// it is taken by component, because in v* = u* e + (v_bar - u_bar e) the mean u_bar of the projections
+// cancels along e. Where a and b differ in sign it is singular at a + b = 0 and depends on the observer's
+// motion; a guard says what stands there.
 #pragma once
 
 #include "solver/core/scalar_math.hpp"
@@ -22,7 +22,7 @@ enum class MeanGuard {
 };
 
 /// The mean of rho c in u*: of the reference states, scaled to the present density of the left particle, or
-/// the paper's harmonic mean of the present states.
+/// the harmonic mean of Yang et al. of the present states.
 enum class ImpedanceMean { arithmetic, harmonic };
 
 /// Weights of the left and right value; they add up to 1.

@@ -6,8 +6,8 @@
 // (17):
 //     P_R = P_L + rho_i (a_w - g) . r_iw
 // taken pair by pair (one_sided), or averaged over the fluid around the boundary particle, Eq. (19): over
-// both phases (shepard, the paper's), or over the water and for the water only (shepard_water), with pairwise
-// pressures for the air.
+// both phases (shepard, as in Yang et al.), or over the water and for the water only (shepard_water), with
+// pairwise pressures for the air.
 //
 // Along the face the wall moves with the water around it (mirrored), so that flow that stretches along the
 // wall has its full divergence there; with the reversed normal velocity alone (normal) the missing half of

@@ -63,8 +63,8 @@ TEST_CASE("Fluid and body together keep linear and angular momentum to rounding"
     const Motion before = motion_of(simulation);
     const Vec2 velocity = simulation.bodies()[0].velocity;
     for (int n = 0; n < 25; ++n) {  // without dissipation air is thrown off from the 32nd on
-        const auto trouble = simulation.step(1);
-        if (trouble) FAIL(trouble->describe());
+        const auto instability = simulation.step(1);
+        if (instability) FAIL(instability->describe());
     }
     const Motion after = motion_of(simulation);
     CHECK((after.momentum - before.momentum).norm() < 1e-11 * before.sizes);

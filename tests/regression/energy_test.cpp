@@ -29,7 +29,7 @@ EnergyHistory collapse(Model model, bool with_air) {
     const double available = 0.5 * 1000 * 9.81 * length * height * (height - height * length / tank);
     double start = 0, lowest = 0, last = 0;
     EnergyHistory history;
-    const auto trouble = simulation.run(0.8, [&](const Simulation& now) {
+    const auto instability = simulation.run(0.8, [&](const Simulation& now) {
         const Balance b = balance(now);
         last = b.kinetic + b.potential + b.compression;
         if (now.steps() == 0) start = lowest = last;
@@ -37,7 +37,7 @@ EnergyHistory collapse(Model model, bool with_air) {
         history.kinetic_peak = std::max(history.kinetic_peak, b.kinetic / available);
         lowest = std::min(lowest, last);
     });
-    if (trouble) FAIL(trouble->describe());
+    if (instability) FAIL(instability->describe());
     history.loss = (start - last) / available;
     return history;
 }

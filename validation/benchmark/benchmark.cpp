@@ -47,10 +47,10 @@ std::vector<int> thread_counts(int largest) {
 
 Simulation::State state_in_mid_run(const Scene& scene, const BenchmarkOptions& options, int threads) {
     Simulation simulation = assemble(scene, options.particle_spacing, threads);
-    const auto trouble = simulation.run(mid_run * scene.end_time, [](const Simulation&) {});
-    if (trouble)
+    const auto instability = simulation.run(mid_run * scene.end_time, [](const Simulation&) {});
+    if (instability)
         throw InputError(fmt::format("the dam break becomes unstable at a spacing of {} m: {}",
-                                     options.particle_spacing, trouble->describe()));
+                                     options.particle_spacing, instability->describe()));
     return simulation.state();
 }
 
@@ -113,8 +113,8 @@ BenchmarkCase measure(const Scene& scene, const Simulation::State& start, const 
         const double processor_before = processor_seconds();
         const auto begin = std::chrono::steady_clock::now();
         for (int step = 0; step < steps_per_repeat; ++step) {
-            if (const auto trouble = simulation.step(scene.end_time))
-                throw InputError(fmt::format("the dam break becomes unstable: {}", trouble->describe()));
+            if (const auto instability = simulation.step(scene.end_time))
+                throw InputError(fmt::format("the dam break becomes unstable: {}", instability->describe()));
         }
         const auto end = std::chrono::steady_clock::now();
         const double processor = processor_seconds() - processor_before;

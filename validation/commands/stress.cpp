@@ -62,8 +62,8 @@ void run_setting(StressRow& row, const Setting& setting, const Scheme& scheme, c
     row.survived = outcome->survived();
     row.note = outcome->note();
     if (!setting.beyond.empty()) row.note += " [not required: " + setting.beyond + "]";
-    if (!outcome->death) return;
-    const std::vector<unsigned char> picture = picture_of(*outcome->death);
+    if (!outcome->failure) return;
+    const std::vector<unsigned char> picture = picture_of(*outcome->failure);
     row.picture = (fs::path("stress") / file_name(row)).string();
     atomic_write(directory / row.picture, {reinterpret_cast<const char*>(picture.data()), picture.size()});
 }
@@ -72,20 +72,20 @@ void run_search(StressRow& row, const Search& search) {
     std::string instability;
     const Limit limit = find_limit(search.from, search.to, search.ratio, [&](double value) {
         const Outcome outcome = run_trial(search.build(value));
-        if (outcome.death) instability = outcome.note();
+        if (outcome.failure) instability = outcome.note();
         return outcome.survived();
     });
     const auto margin = [&](double value) { return std::max(value / search.from, search.from / value); };
-    row.survived = limit.alive.has_value();
-    if (!limit.alive) {
+    row.survived = limit.stable.has_value();
+    if (!limit.stable) {
         row.note = fmt::format("unstable at {:g}, the value in use: {}", search.from, instability);
-    } else if (!limit.dead) {
+    } else if (!limit.unstable) {
         row.note =
             fmt::format("in use {:g}, stable up to the end of the search at {:.3g}: margin above {:.3g}",
-                        search.from, *limit.alive, margin(*limit.alive));
+                        search.from, *limit.stable, margin(*limit.stable));
     } else {
         row.note = fmt::format("in use {:g}, stable at {:.3g}, not at {:.3g}: margin {:.3g}; {}", search.from,
-                               *limit.alive, *limit.dead, margin(*limit.alive), instability);
+                               *limit.stable, *limit.unstable, margin(*limit.stable), instability);
     }
 }
 
@@ -198,10 +198,10 @@ int stress_command(const StressOptions& options) {
 
 void add_stress(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<StressOptions>();
-    CLI::App& command = *app.add_subcommand(
-        "stress",
-        "hard cases with the default scheme, the paper's scheme and a scheme without dissipation: which "
-        "settings survive, and where the limits of stability lie");
+    CLI::App& command = *app.add_subcommand("stress",
+                                            "hard cases with the default scheme, the scheme of Yang et al. "
+                                            "(2020) and a scheme without dissipation: which "
+                                            "settings survive, and where the limits of stability lie");
     add_only(command, options->cases, "cases", "CASE");
     add_out(command, options->directory, "results/stress");
     add_jobs(command, options->jobs);

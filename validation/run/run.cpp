@@ -13,10 +13,10 @@
 #include "validation/run/assemble.hpp"
 #include "validation/run/field_frame.hpp"
 #include "validation/run/last_good_frame.hpp"
+#include "validation/run/penetration_monitor.hpp"
 #include "validation/run/run_state.hpp"
 #include "validation/run/stop_signal.hpp"
 #include "validation/run/time_series.hpp"
-#include "validation/run/watchdog.hpp"
 #include "validation/scene/identity.hpp"
 #include "validation/scene/model_keys.hpp"
 #include "validation/store/provenance.hpp"
@@ -120,9 +120,10 @@ class Run {
     RunRecord run(Progress& progress) {
         RunRecord record = describe();
         const auto observe = [&](const Simulation&) { this->observe(progress); };
-        if (const std::optional<Instability> trouble = simulation_.run(end_, observe, watch_bodies(scene_))) {
+        if (const std::optional<Instability> instability =
+                simulation_.run(end_, observe, penetration_monitor(scene_))) {
             record.status = RunStatus::unstable;
-            record.stop_reason = trouble->describe();
+            record.stop_reason = instability->describe();
             const FieldFrame& last = last_good_.frame();
             if (fields_->frames().empty() || last.time > fields_->frames().back().time) fields_->write(last);
         }

@@ -8,12 +8,12 @@ namespace wetdeck::stress {
 Limit find_limit(double from, double to, double ratio, const std::function<bool(double)>& survives) {
     if (!survives(from)) return {std::nullopt, from};
     if (survives(to)) return {to, std::nullopt};
-    double alive = from, dead = to;
-    while (std::abs(std::log(dead / alive)) > std::log(ratio)) {
-        const double middle = std::sqrt(alive * dead);
-        (survives(middle) ? alive : dead) = middle;
+    double stable = from, unstable = to;
+    while (std::abs(std::log(unstable / stable)) > std::log(ratio)) {
+        const double middle = std::sqrt(stable * unstable);
+        (survives(middle) ? stable : unstable) = middle;
     }
-    return {alive, dead};
+    return {stable, unstable};
 }
 
 }  // namespace wetdeck::stress

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where survival ends, as a number.
+// The limit of stability along one quantity.
 #pragma once
 
 #include <functional>
@@ -7,15 +7,15 @@
 
 namespace wetdeck::stress {
 
-/// Between `alive` and `dead` lies the limit. Neither is tried beyond the range that was searched: without
-/// `dead` all of it survives, without `alive` nothing does.
+/// The limit lies between `stable` and `unstable`. Nothing is tried beyond the range that was searched:
+/// without `unstable` all of it is stable, without `stable` nothing is.
 struct Limit {
-    std::optional<double> alive, dead;
+    std::optional<double> stable, unstable;
 };
 
-/// Bisects a positive quantity on a logarithmic scale from `from`, where survival is expected, to `to`, above
-/// or below it, until both sides of the limit are closer than `ratio` (> 1). Tries both ends first. Survival
-/// that comes and goes along the way leaves one of its limits.
+/// Bisects a positive quantity on a logarithmic scale from `from`, where a run is expected to be stable, to
+/// `to`, above or below it, until both sides of the limit are closer than `ratio` (> 1). Tries both ends
+/// first. Where stability comes and goes along the way, one of its limits is found.
 Limit find_limit(double from, double to, double ratio, const std::function<bool(double)>& survives);
 
 }  // namespace wetdeck::stress

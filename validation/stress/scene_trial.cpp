@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "validation/run/assemble.hpp"
-#include "validation/run/watchdog.hpp"
+#include "validation/run/penetration_monitor.hpp"
 #include "validation/scene/schemes.hpp"
 
 namespace wetdeck::stress {
@@ -18,7 +18,7 @@ Trial assembled(Scene scene, double particle_spacing, double end, const Scheme& 
                 const Change& change) {
     apply_scheme(scheme, scene.model);
     if (change) change(scene.model);
-    return Trial{assemble(scene, particle_spacing, 1), end, watch_bodies(scene)};
+    return Trial{assemble(scene, particle_spacing, 1), end, penetration_monitor(scene)};
 }
 
 std::string text_of(const Entry& e) {

@@ -23,18 +23,18 @@ double energy(const Simulation& simulation, const Balance& b) {
     return sum;
 }
 
-/// What a gain of energy is measured by: all that there is at the start.
+/// The energy that gains are divided by: all energy at the start.
 double energy_scale(const Simulation& simulation, const Balance& b) {
     double sum = b.kinetic + b.potential;
     for (const RigidBody& body : simulation.bodies()) sum += body.kinetic_energy();
     return sum;
 }
 
-/// Index of the particle that died, or of none.
-std::optional<std::size_t> index_of(const FieldFrame& frame, const Instability& trouble) {
-    if (!trouble.particle) return std::nullopt;
+/// Index of the particle that became unstable, if it is one.
+std::optional<std::size_t> index_of(const FieldFrame& frame, const Instability& instability) {
+    if (!instability.particle) return std::nullopt;
     for (std::size_t i = 0; i < frame.id.size(); ++i)
-        if (frame.phase[i] < 2 && frame.id[i] == static_cast<std::int64_t>(*trouble.particle)) return i;
+        if (frame.phase[i] < 2 && frame.id[i] == static_cast<std::int64_t>(*instability.particle)) return i;
     return std::nullopt;
 }
 
@@ -58,26 +58,26 @@ std::string surroundings(const FieldFrame& frame, std::size_t self, const Simula
         std::hypot(frame.vx[self], frame.vy[self]) / eos.sound_speed);
 }
 
-Death death_of(const Simulation& simulation, const Instability& trouble, FieldFrame frame) {
-    Death death;
-    death.instability = trouble;
-    death.place = trouble.position;
-    death.particle_spacing = simulation.particle_spacing();
-    if (const auto self = index_of(frame, trouble)) {
-        death.place = {frame.x[*self], frame.y[*self]};
-        death.surroundings = surroundings(frame, *self, simulation);
+Failure failure_of(const Simulation& simulation, const Instability& instability, FieldFrame frame) {
+    Failure failure;
+    failure.instability = instability;
+    failure.position = instability.position;
+    failure.particle_spacing = simulation.particle_spacing();
+    if (const auto self = index_of(frame, instability)) {
+        failure.position = {frame.x[*self], frame.y[*self]};
+        failure.surroundings = surroundings(frame, *self, simulation);
     }
-    death.frame = std::move(frame);
-    return death;
+    failure.frame = std::move(frame);
+    return failure;
 }
 
 }  // namespace
 
 std::string Outcome::note() const {
     std::string text;
-    if (death) {
-        text = "became unstable " + death->instability.describe();
-        if (!death->surroundings.empty()) text += "; before that " + death->surroundings;
+    if (failure) {
+        text = "became unstable " + failure->instability.describe();
+        if (!failure->surroundings.empty()) text += "; before that " + failure->surroundings;
         text += "; ";
     }
     return text + fmt::format("{} steps, density error {:.2g}, energy gained {:.2g}", steps, density_error,
@@ -89,16 +89,16 @@ Outcome run_trial(Trial trial) {
     Outcome outcome;
     const Balance start = balance(s);
     const double energy_before = energy(s, start), scale = energy_scale(s, start);
-    std::optional<Instability> trouble;
+    std::optional<Instability> instability;
     LastGoodFrame last_good(inspection_interval(s, steps_between_frames));
     last_good.set(frame_of(s, ""));
     const std::uint64_t between_checks = inspection_interval(s, steps_between_checks);
-    while (!trouble && s.time() < trial.end && s.steps() < trial.most_steps) {
-        trouble = s.step(trial.end - s.time());
+    while (!instability && s.time() < trial.end && s.steps() < trial.most_steps) {
+        instability = s.step(trial.end - s.time());
         const bool last = s.time() >= trial.end;
         const bool check = s.steps() % between_checks == 0 || last;
-        if (!trouble && check && trial.watch) trouble = trial.watch(s);
-        if (trouble) break;
+        if (!instability && check && trial.watch) instability = trial.watch(s);
+        if (instability) break;
         last_good.update(s, "");
         if (!check) continue;
         const Balance b = balance(s);
@@ -107,24 +107,24 @@ Outcome run_trial(Trial trial) {
             outcome.energy_gain = std::max(outcome.energy_gain, (energy(s, b) - energy_before) / scale);
     }
     outcome.steps = s.steps();
-    if (trouble) outcome.death = death_of(s, *trouble, last_good.frame());
+    if (instability) outcome.failure = failure_of(s, *instability, last_good.frame());
     return outcome;
 }
 
-std::vector<unsigned char> picture_of(const Death& death) {
+std::vector<unsigned char> picture_of(const Failure& failure) {
     constexpr double half_width = 20;  // [spacings]
     RasterOptions options;
     options.width = 800;
-    const double reach = half_width * death.particle_spacing;
-    options.x_min = death.place.x() - reach;
-    options.x_max = death.place.x() + reach;
-    options.y_min = death.place.y() - reach;
-    options.y_max = death.place.y() + reach;
-    options.particle_radius = 0.4 * death.particle_spacing;  // gaps and clumps are to be seen
-    const FieldFrame& f = death.frame;
+    const double reach = half_width * failure.particle_spacing;
+    options.x_min = failure.position.x() - reach;
+    options.x_max = failure.position.x() + reach;
+    options.y_min = failure.position.y() - reach;
+    options.y_max = failure.position.y() + reach;
+    options.particle_radius = 0.4 * failure.particle_spacing;  // gaps and clumps are to be seen
+    const FieldFrame& f = failure.frame;
     double low = 0, high = 1, fastest = 1e-9;
     for (std::size_t i = 0; i < f.x.size(); ++i) {
-        if ((Vec2(f.x[i], f.y[i]) - death.place).cwiseAbs().maxCoeff() > reach) continue;
+        if ((Vec2(f.x[i], f.y[i]) - failure.position).cwiseAbs().maxCoeff() > reach) continue;
         if (f.phase[i] == 0)
             low = std::min<double>(low, f.pressure[i]), high = std::max<double>(high, f.pressure[i]);
         if (f.phase[i] == 1) fastest = std::max<double>(fastest, std::hypot(f.vx[i], f.vy[i]));

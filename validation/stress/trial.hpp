@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One run of a hard case: whether it reaches its end, how good it was until then, and where it died.
+// One run of a hard case: whether it reaches its end, how accurate it was until then, and where it became
+// unstable.
 #pragma once
 
 #include <limits>
@@ -23,27 +24,27 @@ struct Trial {
     std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// The last good state of a run that died, and the place where it did.
-struct Death {
+/// The last good state of a run that became unstable, and where it did.
+struct Failure {
     Instability instability;
-    std::string surroundings;   ///< of the particle, in words
-    FieldFrame frame;           ///< at most 16 steps earlier
-    Vec2 place = Vec2::Zero();  ///< in the frame [m]
+    std::string surroundings;      ///< of the particle, in words
+    FieldFrame frame;              ///< at most 16 steps earlier
+    Vec2 position = Vec2::Zero();  ///< of the instability, in the frame [m]
     double particle_spacing = 0;
 };
 
 struct Outcome {
-    std::optional<Death> death;
+    std::optional<Failure> failure;
     std::uint64_t steps = 0;
     double density_error = 0;  ///< largest |rho/rho0 - 1| of the water until the end or the last good state
     double energy_gain = 0;    ///< largest gain of energy that no body did work for, over that of the start
-    bool survived() const { return !death; }
+    bool survived() const { return !failure; }
     std::string note() const;
 };
 
 Outcome run_trial(Trial trial);
 
-/// A picture of 40 spacings about the place of death.
-std::vector<unsigned char> picture_of(const Death& death);
+/// A picture of 40 spacings around the instability.
+std::vector<unsigned char> picture_of(const Failure& failure);
 
 }  // namespace wetdeck::stress

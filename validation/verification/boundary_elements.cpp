@@ -19,10 +19,10 @@ Eigen::MatrixXd mixed_solution(const std::vector<Panel>& panels, Eigen::Index va
         const Panel& panel = panels[static_cast<std::size_t>(j)];
         const Vec2 along = (panel.to - panel.from) / panel.length();
         for (Eigen::Index i = 0; i < n; ++i) {
-            const Vec2 place = panels[static_cast<std::size_t>(i)].middle();
-            // the panel from a to b as seen from the place, at the height d on the side of its normal
-            const double a = (panel.from - place).dot(along), b = (panel.to - place).dot(along);
-            const double d = (panel.from - place).dot(panel.normal());
+            const Vec2 position = panels[static_cast<std::size_t>(i)].middle();
+            // the panel from a to b as seen from it, at the height d on the side of its normal
+            const double a = (panel.from - position).dot(along), b = (panel.to - position).dot(along);
+            const double d = (panel.from - position).dot(panel.normal());
             const double angle = i == j ? 0 : std::atan2(d * (b - a), d * d + a * b);
             const auto primitive = [&](double s) {
                 const double squared = s * s + d * d;

@@ -55,8 +55,8 @@ PoissonSolution::PoissonSolution(const PoissonProblem& problem)
     node_.assign(solution.begin(), solution.end());
 }
 
-double PoissonSolution::at(Vec2 place) const {
-    const Vec2 scaled = (place - problem_.box.low).cwiseQuotient(step_);
+double PoissonSolution::at(Vec2 position) const {
+    const Vec2 scaled = (position - problem_.box.low).cwiseQuotient(step_);
     const int i = std::clamp(static_cast<int>(scaled.x()), 0, problem_.cells_x - 1);
     const int j = std::clamp(static_cast<int>(scaled.y()), 0, problem_.cells_y - 1);
     const double s = scaled.x() - i, t = scaled.y() - j;

@@ -25,7 +25,7 @@ struct PoissonProblem {
 class PoissonSolution {
   public:
     explicit PoissonSolution(const PoissonProblem& problem);
-    double at(Vec2 place) const;
+    double at(Vec2 position) const;
 
   private:
     PoissonProblem problem_;

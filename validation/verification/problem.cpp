@@ -59,8 +59,8 @@ void advance(Simulation& simulation, double end, const std::function<void(const 
     constexpr double smallest_share = 0.02;
     const double first_step = simulation.time_step().size;
     while (simulation.time() < end) {
-        if (const auto trouble = simulation.step(end - simulation.time()))
-            throw Unstable(trouble->describe());
+        if (const auto instability = simulation.step(end - simulation.time()))
+            throw Unstable(instability->describe());
         if (simulation.time_step().size < smallest_share * first_step)
             throw Unstable("at t = " + std::to_string(simulation.time()) +
                            " s: the stable step has collapsed");

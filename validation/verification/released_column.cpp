@@ -73,9 +73,10 @@ void solver(Findings& findings) {
             });
             Simulation simulation = setup.simulate();
             std::vector<double> sum(setup.fluid.size(), 0.0);
-            std::vector<Vec2> place(setup.fluid.size());
+            std::vector<Vec2> position(setup.fluid.size());
             double samples = 0;
-            for (std::size_t i = 0; i < setup.fluid.size(); ++i) place[i] = setup.fluid.state[i].position();
+            for (std::size_t i = 0; i < setup.fluid.size(); ++i)
+                position[i] = setup.fluid.state[i].position();
             advance(simulation, mean_to * unit, [&](const Simulation& s) {
                 if (s.time() < mean_from * unit) return;
                 samples += 1;
@@ -86,10 +87,10 @@ void solver(Findings& findings) {
             Curve bed;
             for (std::size_t i = 0; i < sum.size(); ++i) {
                 const double mean = sum[i] / samples;
-                squares += std::pow(mean - exact.at(place[i]), 2);
-                if (place[i].y() < dx) {
-                    bed.x.push_back(place[i].x() / height);
-                    bed.y.push_back((mean + water_density * gravity * place[i].y()) / weight);
+                squares += std::pow(mean - exact.at(position[i]), 2);
+                if (position[i].y() < dx) {
+                    bed.x.push_back(position[i].x() / height);
+                    bed.y.push_back((mean + water_density * gravity * position[i].y()) / weight);
                 }
             }
             const double error = std::sqrt(squares / static_cast<double>(sum.size())) / weight;

@@ -120,7 +120,7 @@ void symmetries(Findings& findings) {
         guarded_harmonic_mean(1.0 + 100, -0.5 + 100, 1e-12) - 100 - guarded_harmonic_mean(1.0, -0.5, 1e-12);
     char text[300];
     std::snprintf(text, sizeof text,
-                  "The harmonic mean of signed velocities, as the paper prints it, is not Galilean "
+                  "The harmonic mean of signed velocities, as Yang et al. (2020) print it, is not Galilean "
                   "invariant: for 1 and "
                   "-0.5 m/s it gives %.3g m/s, seen from a frame that moves by 100 m/s %.3g m/s. It is left "
                   "to the `paper` variant.",

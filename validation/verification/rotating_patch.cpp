@@ -52,9 +52,9 @@ RotatingPatch::RotatingPatch(double side, double rotation, int cells) : side_(si
     });
 }
 
-/// Areas are bilinear in the places: area'' = 2 area(velocity) + slope . acceleration = 0, and the
+/// Areas are bilinear in the positions: area'' = 2 area(velocity) + slope . acceleration = 0, and the
 /// accelerations are slopes times pressures over masses.
-RotatingPatch::Vector RotatingPatch::accelerations(const Vector& place, const Vector& velocity) const {
+RotatingPatch::Vector RotatingPatch::accelerations(const Vector& position, const Vector& velocity) const {
     const int count = cells_ * cells_;
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(count) * 8);
@@ -64,11 +64,11 @@ RotatingPatch::Vector RotatingPatch::accelerations(const Vector& place, const Ve
         for (int k = 0; k < 4; ++k) {
             const int here = c[static_cast<std::size_t>(k)], next = c[static_cast<std::size_t>((k + 1) % 4)],
                       before = c[static_cast<std::size_t>((k + 3) % 4)];
-            entries.emplace_back(cell, 2 * here, 0.5 * (place[2 * next + 1] - place[2 * before + 1]));
-            entries.emplace_back(cell, 2 * here + 1, -0.5 * (place[2 * next] - place[2 * before]));
+            entries.emplace_back(cell, 2 * here, 0.5 * (position[2 * next + 1] - position[2 * before + 1]));
+            entries.emplace_back(cell, 2 * here + 1, -0.5 * (position[2 * next] - position[2 * before]));
         }
     });
-    Eigen::SparseMatrix<double> slope(count, place.size());
+    Eigen::SparseMatrix<double> slope(count, position.size());
     slope.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SparseMatrix<double> transposed = slope.transpose();
     const Vector mobility = mass_.cwiseInverse();

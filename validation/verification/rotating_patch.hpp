@@ -26,7 +26,7 @@ class RotatingPatch {
     int node(int column, int row) const { return column * (cells_ + 1) + row; }
     template <class Visit>
     void each_cell(Visit visit) const;
-    Vector accelerations(const Vector& place, const Vector& velocity) const;
+    Vector accelerations(const Vector& position, const Vector& velocity) const;
 
     double side_;
     int cells_;

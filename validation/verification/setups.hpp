@@ -19,7 +19,7 @@ Model water_model(double sound_speed, double gravity = 0);
 Model two_phase_model(double water_sound_speed, double air_sound_speed, double background_pressure,
                       double gravity = 0);
 
-/// What a simulation is made of, on one thread and with the instruction set that WETDECK_SIMD names.
+/// All parts of a simulation, on one thread and with the instruction set that WETDECK_SIMD names.
 struct Setup : SimulationSetup {
     /// A tank with walls all around; without them its sides are only where particles are expected.
     Setup(const Model& model, Box domain, double particle_spacing, bool with_walls = false);
@@ -45,15 +45,15 @@ class Dice {
 /// Moves every particle by up to `share` spacings along each axis.
 void shake(Setup& setup, double share, std::uint64_t seed);
 
-/// Kernel mean of a value over the fluid at a place: SUM value_j V_j W_j / SUM V_j W_j.
+/// Kernel mean of a value over the fluid at a position: SUM value_j V_j W_j / SUM V_j W_j.
 template <class Value>
-double kernel_mean(const Simulation& simulation, Vec2 place, Value value) {
+double kernel_mean(const Simulation& simulation, Vec2 position, Value value) {
     const WendlandC2 kernel = simulation.kernel();
     const FluidParticles& fluid = simulation.fluid();
     double sum = 0, weights = 0;
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const FluidState& p = fluid.state[i];
-        const double weight = p.volume * kernel.value((p.position() - place).norm());
+        const double weight = p.volume * kernel.value((p.position() - position).norm());
         if (weight == 0) continue;
         sum += weight * value(i);
         weights += weight;

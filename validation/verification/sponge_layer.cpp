@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the sponge layer of Eqs. (24)-(25) does to sound. Both rates are multiplied by the same f(l), l the
+// Sound in the sponge layer of Eqs. (24)-(25). Both rates are multiplied by the same f(l), l the
 // distance from the wall, so that the impedance is the same everywhere and nothing is reflected on the way;
 // the wave only slows down to c f. With f = 1 - e^(-k l), k = 50 ln(1/0.9) / s, it takes
 //     INT_d^s dl / (c f) = [ln(e^(k s) - 1) - ln(e^(k d) - 1)] / (c k)
@@ -45,8 +45,8 @@ Simulation channel(double spacing, bool with_sponge) {
 }
 
 struct Returned {
-    double share = 0;  ///< of the incident pulse's area, in open water
-    double place = 0;  ///< of its centre
+    double share = 0;   ///< of the incident pulse's area, in open water
+    double centre = 0;  ///< position along the channel [m]
     Curve pressure;
 };
 
@@ -65,7 +65,7 @@ Returned returned(double spacing, bool with_sponge) {
         result.share += share;
         moment += share * p.x;
     }
-    result.place = moment / result.share;
+    result.centre = moment / result.share;
     result.pressure = sorted_curve(row);
     return result;
 }
@@ -82,7 +82,7 @@ void run(Findings& findings) {
     for (const double dx : findings.levels({1.0 / 50, 1.0 / 100, 1.0 / 200})) {
         const Returned open = returned(dx, false), soaked = returned(dx, true);
         findings.record("returned", dx / half_width, std::abs(soaked.share / open.share - 1));
-        findings.record("delay", dx / half_width, std::abs((soaked.place - open.place) / detour(dx) - 1));
+        findings.record("delay", dx / half_width, std::abs((soaked.centre - open.centre) / detour(dx) - 1));
         figure.computed.push_back(
             {"sponge, dx = " + std::to_string(dx).substr(0, 5) + " m", soaked.pressure});
         finest = dx;

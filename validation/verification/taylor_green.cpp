@@ -134,15 +134,13 @@ void run(Findings& findings) {
         findings.figure(std::move(figure));
     }
     const double lattice = lattice_share();
-    char text[400];
+    char text[420];
     std::snprintf(
         text, sizeof text,
-        "Effective viscosity by quadrature over the kernel: %.4f of the nominal one for the paper's form "
-        "(approaching pairs, lambda = 5), %.4f for the symmetric form (lambda = 4). On a square lattice at "
-        "the "
-        "scheme's h/dx it is %.4f of that, and no refinement at fixed h/dx changes it: with respect to the "
-        "nominal "
-        "viscosity the scheme does not converge.",
+        "Effective viscosity by quadrature over the kernel: %.4f of the nominal one for the form of Yang et "
+        "al. (2020) (approaching pairs, lambda = 5), %.4f for the symmetric form (lambda = 4). On a square "
+        "lattice at the scheme's h/dx it is %.4f of that, and no refinement at fixed h/dx changes it: with "
+        "respect to the nominal viscosity the scheme does not converge.",
         effective_share(Viscosity::approaching), effective_share(Viscosity::symmetric), lattice);
     findings.note(text);
 }

@@ -79,8 +79,8 @@ WETDECK_INLINE void square_roots(Pack x, Pack& root, Pack& inverse_root) {
     root = product + product * correction;
     inverse_root = estimate + estimate * correction;
 }
-WETDECK_INLINE bool any(Pack::Mask m) {
-    return _mm512_movepi64_mask(__m512i(m.lanes)) != 0;
+WETDECK_INLINE bool any_less(Pack a, Pack b) {
+    return _mm512_cmp_pd_mask(__m512d(a.lanes), __m512d(b.lanes), _CMP_LT_OQ) != 0;
 }
 /// Turns a square of eight packs: what was the n-th number of the k-th becomes the k-th of the n-th.
 WETDECK_INLINE void turn(Pack::Lanes (&a)[pack_width]) {
@@ -126,9 +126,10 @@ WETDECK_INLINE void square_roots(Pack x, Pack& root, Pack& inverse_root) {
     for (int lane = 0; lane < pack_width; ++lane) root.lanes[lane] = std::sqrt(x.lanes[lane]);
     inverse_root = 1.0 / root;
 }
-WETDECK_INLINE bool any(Pack::Mask m) {
+WETDECK_INLINE bool any_less(Pack a, Pack b) {
+    const Pack::Mask less = a < b;
     long long bits = 0;
-    for (int lane = 0; lane < pack_width; ++lane) bits |= m.lanes[lane];
+    for (int lane = 0; lane < pack_width; ++lane) bits |= less.lanes[lane];
     return bits != 0;
 }
 WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {

@@ -26,7 +26,7 @@ std::string place(const std::string& text, const std::string& piece, const std::
     return "small.toml:" + std::to_string(line_of(text, piece)) + ": key '" + key + "': ";
 }
 
-/// Replaces a piece of the small scene, and says where the trouble is and what was expected.
+/// Replaces a piece of the small scene, and says where the fault is and what was expected.
 void expect(const std::string& piece, const std::string& replacement, const std::string& key,
             const std::string& message) {
     const std::string text = with(piece, replacement);

@@ -99,13 +99,14 @@ TEST_CASE("A particle whose density leaves its range ends the run with its name"
     Simulation simulation = setup.simulate();
     simulation.disturb().state[5].density = 10100;
     const std::uint32_t id = simulation.fluid().id[5];
-    const std::optional<Instability> trouble = simulation.step(1e-9);
-    REQUIRE(trouble);
-    CHECK(trouble->step == 1);
-    CHECK(trouble->time == Approx(1e-9));
-    CHECK(trouble->particle == id);
-    CHECK(trouble->position == simulation.fluid().state[5].position());
-    CHECK_THAT(trouble->describe(), Catch::Contains("water density 1.01e+04") && Catch::Contains("step 1"));
+    const std::optional<Instability> instability = simulation.step(1e-9);
+    REQUIRE(instability);
+    CHECK(instability->step == 1);
+    CHECK(instability->time == Approx(1e-9));
+    CHECK(instability->particle == id);
+    CHECK(instability->position == simulation.fluid().state[5].position());
+    CHECK_THAT(instability->describe(),
+               Catch::Contains("water density 1.01e+04") && Catch::Contains("step 1"));
 }
 
 TEST_CASE("A run may end within a step of the water; what is evaluated then is whole", "[simulation]") {
@@ -118,10 +119,10 @@ TEST_CASE("A run may end within a step of the water; what is evaluated then is w
                           fluid.acceleration_y.begin() + static_cast<std::ptrdiff_t>(fluid.water), 0.0);
     };
     simulation.disturb().state.back().density = 100;
-    const std::optional<Instability> trouble = simulation.step(3e-6);
-    REQUIRE(trouble);
-    CHECK(trouble->step == 1);
-    CHECK(trouble->time == Approx(1e-6));
+    const std::optional<Instability> instability = simulation.step(3e-6);
+    REQUIRE(instability);
+    CHECK(instability->step == 1);
+    CHECK(instability->time == Approx(1e-6));
     CHECK(at_rest() > 20);
     simulation.evaluate();
     CHECK(at_rest() == 0);
@@ -131,11 +132,11 @@ TEST_CASE("A velocity that is no number ends the run in the same step", "[simula
     Simulation simulation = disc({0, 0}).simulate();
     simulation.disturb().state[5].vx = std::numeric_limits<double>::quiet_NaN();
     std::size_t observed = 0;
-    const std::optional<Instability> trouble = simulation.run(1, [&](const Simulation&) { ++observed; });
-    REQUIRE(trouble);
-    CHECK(trouble->step == 1);
+    const std::optional<Instability> instability = simulation.run(1, [&](const Simulation&) { ++observed; });
+    REQUIRE(instability);
+    CHECK(instability->step == 1);
     CHECK(observed == 1);  // the bad state is not shown to probes
-    CHECK_THAT(trouble->describe(), Catch::Contains("step 1"));
+    CHECK_THAT(instability->describe(), Catch::Contains("step 1"));
 }
 
 TEST_CASE("Without tension the density of water never falls below its reference", "[simulation]") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What ends a run: each kind of trouble is noticed in the step it arises in, or at the next look.
+// What ends a run: each kind of instability is noticed in the step it arises in, or at the next look.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -66,11 +66,12 @@ TEST_CASE("A particle that runs away, is lost or is no number ends the run in th
         what = "escaped from the tank";
     }
     const std::uint32_t id = fluid.id[culprit];
-    const std::optional<Instability> trouble = simulation.step(1e-9);
-    REQUIRE(trouble);
-    CHECK(trouble->step == 1);
-    CHECK(trouble->particle == id);
-    CHECK_THAT(trouble->describe(), Contains(what) && Contains("particle " + std::to_string(id) + " at ("));
+    const std::optional<Instability> instability = simulation.step(1e-9);
+    REQUIRE(instability);
+    CHECK(instability->step == 1);
+    CHECK(instability->particle == id);
+    CHECK_THAT(instability->describe(),
+               Contains(what) && Contains("particle " + std::to_string(id) + " at ("));
 }
 
 TEST_CASE("What is no number ends the run in the same step, near where it was", "[simulation]") {
@@ -86,14 +87,14 @@ TEST_CASE("What is no number ends the run in the same step, near where it was", 
     SECTION("a place") {
         culprit.x = nothing;
     }
-    const std::optional<Instability> trouble = simulation.step(1e-9);
-    REQUIRE(trouble);
-    CHECK(trouble->step == 1);
+    const std::optional<Instability> instability = simulation.step(1e-9);
+    REQUIRE(instability);
+    CHECK(instability->step == 1);
     // Within the step it has spread by a support in each of the density pass, the wall pass and the momentum
     // pass; of all that caught it the first in memory is named.
-    const bool near = !((trouble->position - place).norm() > 3 * simulation.kernel().support_radius());
+    const bool near = !((instability->position - place).norm() > 3 * simulation.kernel().support_radius());
     CHECK(near);
-    CHECK_THAT(trouble->describe(), Contains("left the range of a fluid"));
+    CHECK_THAT(instability->describe(), Contains("left the range of a fluid"));
 }
 
 TEST_CASE("A density rate that is no number is noticed where densities are kept from falling",
@@ -139,9 +140,9 @@ TEST_CASE("A body that is nowhere, runs away or leaves the tank ends the run", "
         body.position.y() = 2e-7;
     }
     Simulation simulation = tank_with_body(body);
-    const std::optional<Instability> trouble = simulation.step(1e-9);
-    REQUIRE(trouble.has_value() == !what.empty());
-    if (trouble) CHECK_THAT(trouble->describe(), Contains("body 1 with speed") && Contains(what));
+    const std::optional<Instability> instability = simulation.step(1e-9);
+    REQUIRE(instability.has_value() == !what.empty());
+    if (instability) CHECK_THAT(instability->describe(), Contains("body 1 with speed") && Contains(what));
 }
 
 TEST_CASE("A body that the fluid pushes by no number ends the run", "[simulation]") {
@@ -150,8 +151,8 @@ TEST_CASE("A body that the fluid pushes by no number ends the run", "[simulation
         if ((p.position() - Vec2(0.6, 0.3)).norm() < 0.2) p.pressure = nothing;
     }
     simulation.evaluate();
-    const std::optional<Instability> trouble = simulation.step(1e-9);
-    REQUIRE(trouble);
+    const std::optional<Instability> instability = simulation.step(1e-9);
+    REQUIRE(instability);
 }
 
 TEST_CASE("A watch is asked at most 64 steps apart and can end a run", "[simulation]") {
@@ -162,9 +163,9 @@ TEST_CASE("A watch is asked at most 64 steps apart and can end a run", "[simulat
         return asked.size() < 3 ? std::nullopt
                                 : std::optional(Instability{s.time(), s.steps(), 7, {0, 0}, "a test"});
     };
-    const std::optional<Instability> trouble = simulation.run(
+    const std::optional<Instability> instability = simulation.run(
         1e9, [](const Simulation&) {}, watch);
-    REQUIRE(trouble);
-    CHECK(trouble->quantity == "a test");
+    REQUIRE(instability);
+    CHECK(instability->quantity == "a test");
     CHECK(asked == std::vector<std::uint64_t>{64, 128, 192});
 }

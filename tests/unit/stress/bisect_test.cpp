@@ -14,23 +14,23 @@ TEST_CASE("A limit above and one below the start are enclosed as closely as want
         ++runs;
         return value <= truth;
     });
-    REQUIRE((up.alive && up.dead));
-    CHECK(*up.alive <= truth);
-    CHECK(*up.dead > truth);
-    CHECK(*up.dead / *up.alive <= 1.05);
+    REQUIRE((up.stable && up.unstable));
+    CHECK(*up.stable <= truth);
+    CHECK(*up.unstable > truth);
+    CHECK(*up.unstable / *up.stable <= 1.05);
     CHECK(runs <= 2 + static_cast<int>(std::ceil(std::log2(std::log(8) / std::log(1.05)))));
     const Limit down = find_limit(4, 0.5, 1.05, [&](double value) { return value >= truth; });
-    REQUIRE((down.alive && down.dead));
-    CHECK(*down.alive >= truth);
-    CHECK(*down.dead < truth);
-    CHECK(*down.alive / *down.dead <= 1.05);
+    REQUIRE((down.stable && down.unstable));
+    CHECK(*down.stable >= truth);
+    CHECK(*down.unstable < truth);
+    CHECK(*down.stable / *down.unstable <= 1.05);
 }
 
 TEST_CASE("A range without a limit says which side of it all is", "[stress]") {
     const Limit all = find_limit(1, 10, 1.1, [](double) { return true; });
-    CHECK(all.alive == 10);
-    CHECK_FALSE(all.dead);
+    CHECK(all.stable == 10);
+    CHECK_FALSE(all.unstable);
     const Limit none = find_limit(1, 10, 1.1, [](double) { return false; });
-    CHECK_FALSE(none.alive);
-    CHECK(none.dead == 1);
+    CHECK_FALSE(none.stable);
+    CHECK(none.unstable == 1);
 }

@@ -61,12 +61,12 @@ TEST_CASE("A coarse dam break is stable at the time step in use and becomes unst
     CHECK(calm.energy_gain < 0.01);
     const Outcome wild =
         run_trial(trial_of(scene, default_scheme, [](Model& model) { model.courant_number = 3; }));
-    REQUIRE(wild.death);
+    REQUIRE(wild.failure);
     CHECK(wild.steps < calm.steps);
     CHECK(wild.note().rfind("became unstable at t = ", 0) == 0);
-    CHECK(wild.death->surroundings.find(" particle among ") != std::string::npos);
-    CHECK(wild.death->frame.time <= wild.death->instability.time);
-    CHECK(picture_of(*wild.death).size() > 1000);
+    CHECK(wild.failure->surroundings.find(" particle among ") != std::string::npos);
+    CHECK(wild.failure->frame.time <= wild.death->instability.time);
+    CHECK(picture_of(*wild.failure).size() > 1000);
 }
 
 TEST_CASE("A scheme applied to a model is the scheme of a variant that names it", "[stress]") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fluid inside a body of a scene is found, wherever the body has moved to.
-#include "validation/run/watchdog.hpp"
+#include "validation/run/penetration_monitor.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +12,7 @@ TEST_CASE("Fluid deeper in a body than one spacing is found, fluid beside it is 
     const Scene scene = read_scene(find_scene("wedge"));
     const double dx = scene.tiers.at("quick").begin()->second.front();
     Simulation simulation = assemble(scene, dx, 1);
-    const Simulation::StabilityMonitor watch = watch_bodies(scene);
+    const Simulation::StabilityMonitor watch = penetration_monitor(scene);
     REQUIRE(watch);
     for (int n = 0; n < 20; ++n) REQUIRE_FALSE(simulation.step(1));
     REQUIRE_FALSE(watch(simulation));
@@ -29,16 +29,16 @@ TEST_CASE("Fluid deeper in a body than one spacing is found, fluid beside it is 
     while (depth_of(place) > 1.01 * dx) place.y() -= 0.005 * dx;  // down to just above the threshold
     simulation.disturb().state[one].x = place.x();
     simulation.disturb().state[one].y = place.y();
-    const std::optional<Instability> trouble = watch(simulation);
-    REQUIRE(trouble);
-    CHECK(trouble->particle == simulation.fluid().id[one]);
-    CHECK(trouble->position == place);
-    CHECK_THAT(trouble->quantity, Catch::Contains("deep inside body 1"));
+    const std::optional<Instability> instability = watch(simulation);
+    REQUIRE(instability);
+    CHECK(instability->particle == simulation.fluid().id[one]);
+    CHECK(instability->position == place);
+    CHECK_THAT(instability->quantity, Catch::Contains("deep inside body 1"));
     while (depth_of(place) > 0.99 * dx) place.y() -= 0.005 * dx;
     simulation.disturb().state[one].y = place.y();
     CHECK_FALSE(watch(simulation));
 }
 
 TEST_CASE("Scenes without bodies are not watched for fluid in them", "[execute]") {
-    CHECK_FALSE(watch_bodies(read_scene(find_scene("dam_break"))));
+    CHECK_FALSE(penetration_monitor(read_scene(find_scene("dam_break"))));
 }

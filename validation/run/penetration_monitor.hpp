@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fluid that has got into a body. It would stay there unnoticed: every step by itself is in order.
+// Finds fluid that has penetrated a body. No other check notices it: every step by itself is in order.
 #pragma once
 
 #include "solver/simulation.hpp"
@@ -8,7 +8,7 @@
 namespace wetdeck {
 
 /// Finds a fluid particle deeper inside a body of the scene than one spacing, behind two rows of the body's
-/// own particles. Nothing to do where the scene has no bodies.
-Simulation::StabilityMonitor watch_bodies(const Scene& scene);
+/// own particles. Empty where the scene has no bodies.
+Simulation::StabilityMonitor penetration_monitor(const Scene& scene);
 
 }  // namespace wetdeck

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "validation/run/watchdog.hpp"
+#include "validation/run/penetration_monitor.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ std::optional<Instability> find_inside(const std::vector<Hull>& hulls, const Sim
 
 }  // namespace
 
-Simulation::StabilityMonitor watch_bodies(const Scene& scene) {
+Simulation::StabilityMonitor penetration_monitor(const Scene& scene) {
     if (scene.bodies.empty()) return {};
     std::vector<Hull> hulls;
     for (const BodySpec& spec : scene.bodies) {
