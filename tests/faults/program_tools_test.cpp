@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What shells, scripts and readers ask of the program: manual page, completion, JSON, quiet and verbose.
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -173,4 +174,17 @@ TEST_CASE("quiet says what came out and nothing else, verbose where the time wen
                Contains("momentum") && Contains("acoustic_water     set the size of "));
     const std::string suite = output_of({"suite", "--only", scene, "--quiet", "--out", folder / "out"});
     CHECK(suite == "report: " + (folder / "out/index.html").string() + "\n");
+}
+
+TEST_CASE("the page of the model's keys is what the program prints", "[faults]") {
+    const Outcome keys = run_program({"describe", "--keys"});
+    REQUIRE(keys.code == 0);
+    std::ifstream file(std::string(WETDECK_SOURCE_DIR) + "/docs/keys.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    CHECK_THAT(page, Contains(keys.out));
+    const auto rows = nlohmann::json::parse(run_program({"describe", "--keys", "--json"}).out);
+    CHECK(rows.size() > 25);
+    CHECK(run_program({"describe"}).code == 2);
+    const auto scene = nlohmann::json::parse(run_program({"describe", "wedge", "--json"}).out);
+    CHECK(scene.at("parameters").at("model.wall_pressure") == "shepard-water");
 }

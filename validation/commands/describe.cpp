@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `wetdeck describe`: the set-up, references and cost of one scene.
+// `wetdeck describe`: the set-up, references and cost of one scene, or the keys of the model.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "solver/core/errors.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/analytic/curves.hpp"
 #include "validation/commands/commands.hpp"
@@ -13,6 +14,8 @@
 #include "validation/metrics/quantities.hpp"
 #include "validation/run/exit_code.hpp"
 #include "validation/run/progress.hpp"
+#include "validation/scene/identity.hpp"
+#include "validation/scene/model_keys.hpp"
 #include "validation/scene/scene.hpp"
 
 namespace wetdeck {
@@ -89,6 +92,7 @@ json description(const std::string& name) {
                 {"end_time", scene.end_time},
                 {"water", material_json(scene.model.water)},
                 {"background_pressure", scene.model.water.eos.background_pressure},
+                {"parameters", parameters_json(scene)},
                 {"bodies", json::array()},
                 {"probes", json::array()},
                 {"deviations", json::array()},
@@ -137,6 +141,14 @@ void print_set_up(const json& all) {
                    body["corners"].get<int>(), number(body["mass"]), number(body["inertia"]));
 }
 
+/// The model's choices, defaults included.
+void print_model(const json& all) {
+    fmt::print("\nModel (`wetdeck describe --keys` explains the keys)\n");
+    for (const auto& [key, value] : all["parameters"].items())
+        if (key.starts_with("model."))
+            fmt::print("  {:30} {}\n", key, value.is_string() ? text(value) : value.dump());
+}
+
 void print_series(const json& all) {
     fmt::print("\nProbes\n");
     for (const json& probe : all["probes"])
@@ -169,12 +181,47 @@ void print_costs(const json& all) {
                    number(cost["steps"]), duration_text(number(cost["core_s"])));
 }
 
+/// The value of a key where a scene does not give it; nothing for a key that every scene gives.
+std::string default_of(const ModelKey& row) {
+    if (row.table == "water" || row.table == "air") return "";
+    return row.default_note.empty() ? toml_text(row.get(Scene{})) : row.default_note;
+}
+
+json keys_json() {
+    json all = json::array();
+    for (const ModelKey& row : model_keys())
+        all.push_back({{"key", row.dotted()},
+                       {"unit", row.unit},
+                       {"default", default_of(row)},
+                       {"expected", row.expected()},
+                       {"meaning", row.meaning},
+                       {"equation", row.equation}});
+    return all;
+}
+
+/// The keys of the model as a table in Markdown: docs/keys.md holds the same lines.
+void print_keys() {
+    fmt::print(
+        "| key | default | unit | expected | meaning | Yang et al. (2020) |\n|---|---|---|---|---|---|\n");
+    for (const ModelKey& row : model_keys())
+        fmt::print("| `{}` | {} | {} | {} | {} | {} |\n", row.dotted(), default_of(row), row.unit,
+                   row.expected(), row.meaning, row.equation);
+}
+
 struct DescribeOptions {
     std::string scene;
-    bool json = false;
+    bool keys = false, json = false;
 };
 
 int describe(const DescribeOptions& options) {
+    if (options.keys) {
+        if (options.json)
+            fmt::print("{}\n", keys_json().dump(1));
+        else
+            print_keys();
+        return exit_done;
+    }
+    if (options.scene.empty()) throw InputError("describe: expected a scene, or --keys");
     const json all = description(options.scene);
     if (options.json) {
         fmt::print("{}\n", all.dump(1));
@@ -183,6 +230,7 @@ int describe(const DescribeOptions& options) {
     fmt::print("{} ({})\n{}\nsource: {}\nfile: {}\n\n", text(all["title"]), text(all["name"]),
                text(all["purpose"]), text(all["source"]), text(all["file"]));
     print_set_up(all);
+    print_model(all);
     print_series(all);
     print_references(all);
     print_costs(all);
@@ -194,7 +242,11 @@ int describe(const DescribeOptions& options) {
 void add_describe(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<DescribeOptions>();
     CLI::App& command = *app.add_subcommand("describe", "set-up, references and estimated cost of one scene");
-    add_scene(command, options->scene);
+    command
+        .add_option("scene", options->scene, "a name from `wetdeck list`, or the path of your own scene file")
+        ->type_name("");
+    command.add_flag("--keys", options->keys,
+                     "instead: every key of the model with default, range and meaning");
     add_json(command, options->json);
     command.callback([options, &exit_code] { exit_code = describe(*options); });
 }

@@ -99,6 +99,7 @@ ModelKey air_row() {
     ModelKey row{"model", "air", "whether the air is computed; false: water alone", "", ""};
     row.get = [](const Scene& s) -> KeyValue { return s.air; };
     row.set = [](Scene& s, const KeyValue& v) { s.air = std::get<bool>(v); };
+    row.default_note = "false";
     return removable_with(std::move(row), "air", false, "model.background_pressure=0");
 }
 
