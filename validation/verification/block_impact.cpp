@@ -99,7 +99,7 @@ void run(Findings& findings) {
                 findings.record("momentum", dx / height, momentum);
             } else {
                 findings.record("pressure_before_contact", dx / height, approach(dx).highest);
-                findings.record("negative_pressure", dx / height, -extremes.lowest);
+                findings.record("negative_pressure", dx / height, std::abs(extremes.lowest));
             }
             figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 6), std::move(energy)});
         }
