@@ -1,4 +1,5 @@
 # cpack -G DEB: wetdeck (the program, its scenes, data, manual, completion) and libwetdeck-dev (libraries and headers).
+# CPack needs the packages file and dpkg-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "wetdeck developers <wetdeck@example.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "SPH of bodies that slam into water, checked against experiments")

@@ -100,7 +100,7 @@ void write_configuration(const ScratchFolder& folder) {
 bool slurm_is_here() {
     if (::geteuid() == 0 && shell("command -v slurmctld && command -v slurmd && command -v munged") == 0)
         return true;
-    WARN("not tested: needs root, slurmctld, slurmd and munged (apt-get install slurm-wlm munge)");
+    WARN("not tested: needs root and the packages slurm-wlm and munge");
     return false;
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The Debian package of the program: what it depends on and what it holds.
 set -euo pipefail
-for program in dpkg-shlibdeps cpack; do
-    command -v $program >/dev/null || { echo "not tested: needs $program (dpkg-dev, cmake)"; exit 77; }
+for program in dpkg-shlibdeps file cpack; do
+    command -v $program >/dev/null || { echo "not tested: needs $program (packages dpkg-dev, file, cmake)"; exit 77; }
 done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -27,15 +27,46 @@ double exact_loss() {
     return 8 * height / (std::pow(pi, 3) * length) * sum;
 }
 
-/// Energy over time of the two blocks, over its start.
-Curve meet(double dx, bool tension, double& momentum) {
+/// Two blocks that fly at each other, their facing rows `gap` apart.
+Setup blocks(double dx, double gap, bool tension) {
     Model model = water_model(sound_speed);
     model.negative_pressure = tension;
     Setup setup(model, {{-1.2 * length, -0.5}, {1.2 * length, height + 0.5}}, dx, false);
     setup.fill(Phase::water, {{-length, 0}, {0, height}});
     setup.fill(Phase::water, {{0, 0}, {length, height}});
-    for (FluidState& p : setup.fluid.state) p.vx = p.x < 0 ? speed : -speed;
-    Simulation simulation = setup.simulate();
+    for (FluidState& p : setup.fluid.state) {
+        const double side = p.x < 0 ? -1 : 1;
+        p.vx = -side * speed;
+        p.x += side * 0.5 * (gap - dx);
+    }
+    return setup;
+}
+
+/// The largest and the least pressure so far, over that of a water hammer, rho c U.
+struct Extremes {
+    double highest = 0, lowest = 0;
+
+    void widen(const Simulation& simulation) {
+        for (const FluidState& p : simulation.fluid().state) {
+            const double ratio = p.pressure / (water_density * sound_speed * speed);
+            highest = std::max(highest, ratio);
+            lowest = std::min(lowest, ratio);
+        }
+    }
+};
+
+/// Pressures until the facing rows are 1.5 spacings apart: from out of each other's reach on.
+Extremes approach(double dx) {
+    constexpr double far = 3, near = 1.5;
+    Simulation simulation = blocks(dx, far * dx, false).simulate();
+    Extremes extremes;
+    advance(simulation, 0.5 * (far - near) * dx / speed, [&](const Simulation& s) { extremes.widen(s); });
+    return extremes;
+}
+
+/// Energy over time of the two blocks, over its start.
+Curve meet(double dx, bool tension, double& momentum, Extremes& extremes) {
+    Simulation simulation = blocks(dx, dx, tension).simulate();
     const double start = balance(simulation).kinetic;
     Curve energy{{0}, {1}};
     advance(simulation, duration * height / speed, [&](const Simulation& s) {
@@ -43,6 +74,7 @@ Curve meet(double dx, bool tension, double& momentum) {
         energy.x.push_back(s.time() * speed / height);
         energy.y.push_back((b.kinetic + b.compression) / start);
         momentum = b.momentum.norm() / (water_density * height * length * speed);
+        extremes.widen(s);
     });
     return energy;
 }
@@ -58,11 +90,17 @@ void run(Findings& findings) {
                                   {}};
         for (const double dx : findings.levels({1.0 / 20, 1.0 / 40, 1.0 / 80})) {
             double momentum = 0;
-            Curve energy = meet(dx, tension, momentum);
+            Extremes extremes;
+            Curve energy = meet(dx, tension, momentum, extremes);
             const double loss = 1 - energy.y.back();
             findings.record(tension ? "energy_loss" : "energy_loss_without_tension", dx / height,
                             std::abs(loss / exact_loss() - 1));
-            if (tension) findings.record("momentum", dx / height, momentum);
+            if (tension) {
+                findings.record("momentum", dx / height, momentum);
+            } else {
+                findings.record("pressure_before_contact", dx / height, approach(dx).highest);
+                findings.record("negative_pressure", dx / height, std::abs(extremes.lowest));
+            }
             figure.computed.push_back({"dx/H = " + std::to_string(dx).substr(0, 6), std::move(energy)});
         }
         findings.figure(std::move(figure));
@@ -103,6 +141,19 @@ Problem block_impact() {
          1e-12,
          {},
          "rounding: equal and opposite forces"},
+        {"pressure_before_contact",
+         "largest pressure before the blocks touch, over that of a water hammer, without tension",
+         "dx / height",
+         0.1,
+         {},
+         "none in an incompressible fluid. The rows of particles that face each other are still 1.5 spacings "
+         "apart: their kernel sum is not full, and the upper bound of the density holds"},
+        {"negative_pressure",
+         "least pressure after contact, over that of a water hammer, without tension",
+         "dx / height",
+         1e-12,
+         {},
+         "none: the density has its lower bound at the reference"},
     };
     problem.run = run;
     return problem;
