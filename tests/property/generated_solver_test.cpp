@@ -91,6 +91,9 @@ TEST_CASE("The stable time step never grows with a sound speed, a speed, a visco
         const double before = size();
         RC_ASSERT(before > 0);
         RC_ASSERT(std::isfinite(before));
+        if (has_water)
+            RC_ASSERT(before <= model.courant_number * h / (model.water.eos.sound_speed + fastest[0]));
+        if (has_air) RC_ASSERT(before <= model.courant_number * h / (model.air.eos.sound_speed + fastest[1]));
         RC_ASSERT(stable_time_step(model, 2 * h, fastest, has_water, has_air).size >= before);
         double* larger[] = {&model.water.eos.sound_speed,
                             &model.air.eos.sound_speed,
