@@ -65,7 +65,7 @@ TEST_CASE("A coarse dam break is stable at the time step in use and becomes unst
     CHECK(wild.steps < calm.steps);
     CHECK(wild.note().rfind("became unstable at t = ", 0) == 0);
     CHECK(wild.failure->surroundings.find(" particle among ") != std::string::npos);
-    CHECK(wild.failure->frame.time <= wild.death->instability.time);
+    CHECK(wild.failure->frame.time <= wild.failure->instability.time);
     CHECK(picture_of(*wild.failure).size() > 1000);
 }
 
