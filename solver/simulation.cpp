@@ -59,7 +59,7 @@ void Simulation::evaluate() {
     rates_.density(flow_, all);
     rates_.momentum(flow_, all);
     rates_.body_loads(flow_, all);
-    time_step_ = stable_step();
+    time_step_ = step_of(model(), stable_step());
 }
 
 /// Eq. (26) with the sound speed of the most compressed fluid, c = c0 (rho/rho0)^((gamma - 1)/2): the sound
@@ -76,9 +76,8 @@ TimeStep Simulation::stable_step() const {
 }
 
 std::optional<Instability> Simulation::step(double longest) {
-    const TimeStep stable = stable_step();
-    time_step_ = stable;
-    const double begin = time_, whole = std::min(longest, stable.size);
+    time_step_ = step_of(model(), stable_step());
+    const double begin = time_, whole = std::min(longest, time_step_.size);
     if (model().dissipation_switch)
         rates_.mark_impacts(flow_, std::max(extremes_.fastest[0], extremes_.fastest[1]));
     std::optional<Instability> instability;
@@ -96,7 +95,7 @@ std::optional<Instability> Simulation::step(double longest) {
         time_ = begin + whole;  // not a sum, which might end just before the end
     }
     ++steps_;
-    ++limits_[static_cast<std::size_t>(stable.criterion)];
+    ++limits_[static_cast<std::size_t>(time_step_.criterion)];
     return instability;
 }
 

@@ -61,8 +61,8 @@ class Simulation {
     double time() const { return time_; }                                        ///< since the start [s]
     std::uint64_t steps() const { return steps_; }                               ///< of the water, so far
     std::uint64_t particle_steps() const { return particle_steps_; }             ///< rates summed so far
-    TimeStep time_step() const { return time_step_; }                  ///< the stable one of the last step
-    const StageTimes& stage_times() const { return rates_.stages(); }  ///< so far
+    TimeStep time_step() const { return time_step_; }                            ///< of the last step
+    const StageTimes& stage_times() const { return rates_.stages(); }            ///< so far
 
     /// Steps whose size each criterion set, in the order of LimitingCriterion.
     const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const {

@@ -103,6 +103,23 @@ WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
     return {sum, kernel_sum, face_distance};
 }
 
+/// What the pressure jump of Eq. (17) adds to the sum over boundary particles: less u* along the normal, or
+/// along the line of the pair at an edge, which has none.
+Pack wall_jump_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, double half_slowness) {
+    const double inverse_h = 1 / in.kernel.smoothing_length;
+    Pack sum = 0.0;
+    for (const std::uint32_t index : neighbours) {
+        const WallState& w = in.wall[index];
+        const Separation s = separation(i, w.x, w.y);
+        const bool edge = w.nx == 0 && w.ny == 0;
+        const Pack signed_distance = edge ? s.distance : s.x * w.nx + s.y * w.ny;
+        const Pack jump =
+            wall_jump_velocity(s.x, s.y, w.ax - in.gravity.x(), w.ay - in.gravity.y(), half_slowness);
+        sum = sum - WendlandC2::gradient_shape(s.distance, inverse_h) * signed_distance * jump;
+    }
+    return sum;
+}
+
 /// The kernel sum of fluid and walls. Water that touches a face counts as fully supported.
 WETDECK_INLINE Pack whole_kernel_sum(const PassInput& in, Pack fluid, const WallSums& walls) {
     const double inverse_norm = 1 / in.kernel.normalisation();
@@ -129,7 +146,9 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
         if constexpr (terms.kernel_sum) sums.kernel_sum += fluid.kernel_sum;
     }
     if (cluster.wall_neighbours > 0 && water_weight > 0) {
-        const WallSums walls = wall_sum<terms>(in, i, wall_neighbours(*in.blocks, cluster));
+        WallSums walls = wall_sum<terms>(in, i, wall_neighbours(*in.blocks, cluster));
+        if (const double half_slowness = in.wall_pair[phase_i].jump_half_slowness; half_slowness > 0)
+            walls.rate += wall_jump_sum(in, i, wall_neighbours(*in.blocks, cluster), half_slowness);
         sums.rate += water_weight * in.wall_volume * walls.rate;
         if constexpr (terms.kernel_sum) sums.kernel_sum = whole_kernel_sum(in, sums.kernel_sum, walls);
     }

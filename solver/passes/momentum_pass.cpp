@@ -19,6 +19,24 @@ struct MomentumTerms {
     bool no_slip;             ///< walls drag the fluid along, Eq. (18)
 };
 
+/// The velocity factor of Eq. (14).
+WETDECK_INLINE Pack switch_velocity(const PassInput& in, const Lanes& i, const FluidState& j,
+                                    const Separation& s) {
+    const Pack sum_x = j.vx + i.vx, sum_y = j.vy + i.vy;
+    if (in.model->switch_velocity == SwitchVelocity::modulus) {
+        Pack modulus, inverse;
+        square_roots(0.25 * (sum_x * sum_x + sum_y * sum_y), modulus, inverse);
+        return modulus;
+    }
+    Pack mean = -0.5 * (sum_x * s.x + sum_y * s.y) * s.inverse_distance;
+    if (in.model->switch_velocity == SwitchVelocity::harmonic) {
+        const Pack u_left = -(i.vx * s.x + i.vy * s.y) * s.inverse_distance;
+        const Pack u_right = -(j.vx * s.x + j.vy * s.y) * s.inverse_distance;
+        mean = harmonic_mean(u_left, u_right, in.model->mean_guard, in.smallest_velocity);
+    }
+    return maximum(mean, -mean);
+}
+
 /// P* between the particles of a cluster and one neighbour.
 template <MomentumTerms terms>
 WETDECK_INLINE Pack fluid_p_star(const PassInput& in, const Lanes& i, const FluidState& j,
@@ -36,9 +54,8 @@ WETDECK_INLINE Pack fluid_p_star(const PassInput& in, const Lanes& i, const Flui
         if constexpr (terms.dissipation) p_star += riemann_dissipation(jump, c.limiter);
         if constexpr (terms.viscosity) p_star += c.viscosity * maximum(jump, c.lowest_viscous_jump);
         if constexpr (terms.dissipation_switch) {
-            const Pack u_mean = -0.5 * ((j.vx + i.vx) * s.x + (j.vy + i.vy) * s.y) * s.inverse_distance;
             const Pack on = maximum(i.impact, j.impact);
-            p_star += on * c.half_density * maximum(u_mean, -u_mean) * jump;
+            p_star += on * c.half_density * switch_velocity(in, i, j, s) * jump;
         }
     }
     return p_star;
@@ -77,6 +94,15 @@ VectorSum wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, c
     return sum;
 }
 
+/// The sum over walls that a phase takes.
+template <bool no_slip>
+auto choose_wall_sum(const PassInput& in, std::size_t phase) {
+    const bool shepard = in.wall_pressure_mean[phase];
+    if (in.model->wall_pair_mean == WallPairMean::harmonic)
+        return shepard ? wall_sum<WallTerms{no_slip, true, true}> : wall_sum<WallTerms{no_slip, false, true}>;
+    return shepard ? wall_sum<WallTerms{no_slip, true}> : wall_sum<WallTerms{no_slip, false}>;
+}
+
 template <MomentumTerms terms>
 void accelerations(const PassInput& in) {
     for_clusters(in, [&in](const Cluster& cluster) {
@@ -97,11 +123,8 @@ void accelerations(const PassInput& in) {
             sum.y += weight * fluid.y;
         }
         if (cluster.wall_neighbours > 0 && water_weight > 0) {
-            const auto over_walls = in.wall_pressure_mean[phase_i]
-                                        ? wall_sum<WallTerms{terms.no_slip, true}>
-                                        : wall_sum<WallTerms{terms.no_slip, false}>;
-            const VectorSum walls =
-                over_walls(in, i, wall_neighbours(*in.blocks, cluster), in.wall_pair[phase_i]);
+            const VectorSum walls = choose_wall_sum<terms.no_slip>(in, phase_i)(
+                in, i, wall_neighbours(*in.blocks, cluster), in.wall_pair[phase_i]);
             sum.x += water_weight * in.wall_volume * walls.x;
             sum.y += water_weight * in.wall_volume * walls.y;
         }

@@ -24,7 +24,7 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
     in.particle_spacing = setup.particle_spacing;
     in.wall_volume = setup.particle_spacing * setup.particle_spacing;
     in.smallest_velocity = 1e-12 * model.water.eos.sound_speed;
-    in.smallest_pressure = 1e-12 * model.water.eos.coefficient();
+    in.smallest_pressure = smallest_pressure(model);
     in.reference_density = {model.water.eos.reference_density, model.air.eos.reference_density};
     in.wall_pressure_mean = {model.wall_pressure != WallPressure::one_sided,
                              model.wall_pressure == WallPressure::shepard};
@@ -135,7 +135,7 @@ void Rates::apply_sponge_layer(const FluidParticles& fluid,
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const double distance = distance_to_wall(setup_.domain, fluid.state[i].x, fluid.state[i].y);
         if (distance >= thickness) continue;
-        const double factor = sponge_factor(distance, thickness);
+        const double factor = sponge_factor(distance, thickness, setup_.model.sponge_ramp);
         for (std::vector<double>* rate : rates) (*rate)[i] *= factor;
     }
 }

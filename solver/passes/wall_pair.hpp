@@ -11,8 +11,9 @@ namespace wetdeck::WETDECK_ISA {
 
 /// What a pair with a wall computes, resolved at compile time.
 struct WallTerms {
-    bool no_slip;           ///< the wall drags the fluid along
-    bool shepard_pressure;  ///< the wall has the mean pressure of the fluid around it
+    bool no_slip;                    ///< the wall drags the fluid along
+    bool shepard_pressure;           ///< the wall has the mean pressure of the fluid around it
+    bool harmonic_pressure = false;  ///< the pressure mean is harmonic
 };
 
 /// The fluid particle of a pair. Either side may be the pack.
@@ -48,7 +49,13 @@ WETDECK_INLINE Pack wall_p_star(const FluidSide<Fluid>& fluid, const WallSide<Wa
     const Wall edge = 1.0 - (wall.nx * wall.nx + wall.ny * wall.ny);  // 1 where there is no normal, else 0
     const Pack approach_speed =
         select(signed_distance > 0.0, -normal_velocity, normal_velocity) + edge * approach;
-    Pack p_star = 0.5 * (fluid.pressure + p_right) + riemann_dissipation(approach_speed, c.limiter);
+    Pack mean;
+    if constexpr (terms.harmonic_pressure) {
+        mean = harmonic_mean_of_pressures(Pack(fluid.pressure), p_right, c.mean_guard, c.smallest_pressure);
+    } else {
+        mean = 0.5 * (fluid.pressure + p_right);
+    }
+    Pack p_star = mean + riemann_dissipation(approach_speed, c.limiter);
     if constexpr (terms.no_slip) p_star += c.viscosity * maximum(2.0 * approach, c.lowest_viscous_jump);
     return p_star;
 }

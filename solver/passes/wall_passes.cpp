@@ -56,6 +56,16 @@ void add_reactions(const PassInput& in, const WallLanes& w, Pack mean, Neighbour
     }
 }
 
+/// The reactions to the pairs of a phase.
+template <bool no_slip>
+auto choose_reactions(const PassInput& in, std::size_t phase) {
+    const bool shepard = in.wall_pressure_mean[phase];
+    if (in.model->wall_pair_mean == WallPairMean::harmonic)
+        return shepard ? add_reactions<WallTerms{no_slip, true, true}>
+                       : add_reactions<WallTerms{no_slip, false, true}>;
+    return shepard ? add_reactions<WallTerms{no_slip, true}> : add_reactions<WallTerms{no_slip, false}>;
+}
+
 /// Force of the fluid on each boundary particle of a body, Eq. (20): minus the forces of its pairs.
 template <bool no_slip>
 void body_forces(const PassInput& in) {
@@ -73,9 +83,8 @@ void body_forces(const PassInput& in) {
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             if (!in.loading[phase]) continue;
-            const auto add = in.wall_pressure_mean[phase] ? add_reactions<WallTerms{no_slip, true}>
-                                                          : add_reactions<WallTerms{no_slip, false}>;
-            add(in, w, mean, fluid_neighbours(*in.blocks, cluster, phase), in.wall_pair[phase], sum);
+            choose_reactions<no_slip>(in, phase)(in, w, mean, fluid_neighbours(*in.blocks, cluster, phase),
+                                                 in.wall_pair[phase], sum);
         }
         store(factor * sum.x, in.wall_force_x, cluster);
         store(factor * sum.y, in.wall_force_y, cluster);

@@ -6,8 +6,8 @@
 // Riemann value for both signs. floor 0.03, slope 0: that share of it for both signs, as pairs with air need.
 // Against a wall, whose side of the jump is the other's mirror image, half the jump is taken with Z for Z/2.
 //
-// The switch adds 1/2 rho |u_mean| du where the pressure convection rate grad(p).v exceeds rho g v_max, Eqs.
-// (14)-(15).
+// The switch adds 1/2 rho u du where the pressure convection rate grad(p).v exceeds rho g v_max, Eqs.
+// (14)-(15). Its velocity factor u is a modulus: with a negative factor it would feed energy in.
 #pragma once
 
 #include "solver/physics/interparticle_mean.hpp"
@@ -15,6 +15,10 @@
 namespace wetdeck {
 
 enum class Dissipation { none, riemann, low_dissipation };
+
+/// The velocity factor of the switch, a modulus: of the arithmetic or the harmonic mean of the two
+/// projections on the line of the pair, or of the mean velocity vector.
+enum class SwitchVelocity { arithmetic, harmonic, modulus };
 
 /// Coefficients of D for one pair of phases.
 struct DissipationLimiter {

@@ -7,6 +7,7 @@
 #include "solver/physics/dissipation.hpp"
 #include "solver/physics/equation_of_state.hpp"
 #include "solver/physics/interparticle_mean.hpp"
+#include "solver/physics/sponge.hpp"
 #include "solver/physics/viscosity.hpp"
 #include "solver/physics/wall_boundary.hpp"
 
@@ -39,11 +40,15 @@ struct Model {
     double air_dissipation = 0.03;          ///< share of the full Riemann dissipation in pairs with air
     Viscosity viscosity = Viscosity::none;  ///< form of the viscous force
     bool dissipation_switch = false;        ///< Yang et al. (2020), Eqs. (14)-(15)
-    WallSlip wall_slip = WallSlip::free;    ///< whether walls drag the fluid along
-    WallPressure wall_pressure = WallPressure::shepard_water;  ///< pressure of a dummy particle
-    WallVelocity wall_velocity = WallVelocity::mirrored;       ///< velocity of a dummy particle
-    double wall_dissipation = 3;    ///< limiter slope of the wall-normal dissipation, 0 for none
-    double sponge_thickness = 0;    ///< of the layer along the tank's walls [m], 0 for none
+    SwitchVelocity switch_velocity = SwitchVelocity::arithmetic;  ///< the switch's velocity factor, Eq. (14)
+    WallSlip wall_slip = WallSlip::free;                          ///< whether walls drag the fluid along
+    WallPressure wall_pressure = WallPressure::shepard_water;     ///< pressure of a dummy particle
+    WallVelocity wall_velocity = WallVelocity::mirrored;          ///< velocity of a dummy particle
+    WallPairMean wall_pair_mean = WallPairMean::arithmetic;       ///< of the pressures in P* at a wall
+    bool wall_pressure_jump = false;  ///< the pressure jump of Eq. (17) enters u* at a wall
+    double wall_dissipation = 3;      ///< limiter slope of the wall-normal dissipation, 0 for none
+    double sponge_thickness = 0;      ///< of the layer along the tank's walls [m], 0 for none
+    SpongeRamp sponge_ramp = SpongeRamp::exponential;  ///< reading of Eq. (25)
     bool negative_pressure = true;  ///< false: density is kept at or above the reference (water without air)
     double full_kernel_sum = 0.9;   ///< kernel sum from which the density of water may rise, 0 for any
 
@@ -51,6 +56,7 @@ struct Model {
 
     double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
+    double fixed_step = 0;         ///< size of every step [s], 0: the stable step, Eq. (26)
     int air_substeps = 1;          ///< steps of the air in one of the water, odd; 0: from the sound speeds
 };
 

@@ -22,6 +22,8 @@ namespace wetdeck {
 enum class WallSlip { free, no };
 enum class WallVelocity { normal, mirrored };
 enum class WallPressure { one_sided, shepard, shepard_water };
+/// Mean of the pressures of a fluid and a boundary particle in P*.
+enum class WallPairMean { arithmetic, harmonic };
 
 /// P_R of Eq. (17) [Pa], from the separation r_i - r_w [m] and the wall's acceleration relative to gravity,
 /// a_w - g [m/s^2].
@@ -29,6 +31,15 @@ template <class Real, class Scalar>
 Real one_sided_pressure(Real pressure, Real density, Real separation_x, Real separation_y, Scalar relative_x,
                         Scalar relative_y) {
     return pressure + density * (relative_x * separation_x + relative_y * separation_y);
+}
+
+/// What the pressure jump P_L - P_R of Eq. (17) adds to u* along the normal [m/s], with both sides of the
+/// face of the impedance rho_i c: the density cancels.
+/// @param half_slowness  1 / (2 c) [s/m]
+template <class Real, class Scalar>
+Real wall_jump_velocity(Real separation_x, Real separation_y, Scalar relative_x, Scalar relative_y,
+                        double half_slowness) {
+    return -half_slowness * (relative_x * separation_x + relative_y * separation_y);
 }
 
 /// Share of the stretching along a wall that counts for a particle at `distance` from the face [spacings]:

@@ -46,4 +46,10 @@ TimeStep stable_time_step(const Model& model, double smoothing_length,
     return step;
 }
 
+TimeStep step_of(const Model& model, TimeStep stable) {
+    if (!(model.fixed_step > 0)) return stable;
+    const bool within = model.fixed_step <= stable.size;
+    return {model.fixed_step, within ? LimitingCriterion::fixed : LimitingCriterion::fixed_beyond};
+}
+
 }  // namespace wetdeck

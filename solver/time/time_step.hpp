@@ -12,10 +12,12 @@
 
 namespace wetdeck {
 
-/// The bounds on the step, in the order of their names.
-enum class LimitingCriterion { acoustic_water, acoustic_air, viscous, force };
+/// The bounds on the step, in the order of their names. A fixed step is within the other criteria or
+/// beyond them.
+enum class LimitingCriterion { acoustic_water, acoustic_air, viscous, force, fixed, fixed_beyond };
 /// As a run stores them.
-inline constexpr std::array limiting_criterion_names = {"acoustic_water", "acoustic_air", "viscous", "force"};
+inline constexpr std::array limiting_criterion_names = {
+    "acoustic_water", "acoustic_air", "viscous", "force", "fixed", "fixed_beyond_criterion"};
 
 /// A step and what set its size.
 struct TimeStep {
@@ -36,5 +38,8 @@ int air_substeps(const Model& model);
 /// @param has_air           likewise
 TimeStep stable_time_step(const Model& model, double smoothing_length,
                           const std::array<double, phase_count>& fastest, bool has_water, bool has_air);
+
+/// The step that a model takes: the stable one, or its fixed step.
+TimeStep step_of(const Model& model, TimeStep stable);
 
 }  // namespace wetdeck

@@ -21,6 +21,12 @@ double weight(Mean mean, const Material& side) {
     return 1;
 }
 
+/// 2ab/(a+b), and what the guard puts in its place.
+double guarded_mean(const Model& model, double a, double b, bool meaningful) {
+    if (model.mean_guard == MeanGuard::division || meaningful) return a + b == 0 ? 0 : 2 * a * b / (a + b);
+    return model.mean_guard == MeanGuard::same_sign_zero ? 0 : 0.5 * (a + b);
+}
+
 /// One ordered pair of fluid particles; e points from the left one to the right one.
 struct Pair {
     const Model& model;
@@ -60,11 +66,8 @@ struct Pair {
                     1 / (right.density * right_material.eos.sound_speed));
     }
 
-    /// 2ab/(a+b), and what the guard puts in its place.
     double harmonic(double a, double b, bool meaningful) const {
-        if (model.mean_guard == MeanGuard::division || meaningful)
-            return a + b == 0 ? 0 : 2 * a * b / (a + b);
-        return model.mean_guard == MeanGuard::same_sign_zero ? 0 : 0.5 * (a + b);
+        return guarded_mean(model, a, b, meaningful);
     }
 
     Vec2 mean_velocity() const {
@@ -106,7 +109,15 @@ struct Pair {
     /// Eq. (14)
     double switch_pressure(double jump) const {
         if (!model.dissipation_switch || std::max(left.impact, right.impact) == 0) return 0;
-        return 0.5 * mean_density() * std::abs(0.5 * (u_left() + u_right())) * jump;
+        return 0.5 * mean_density() * switch_velocity() * jump;
+    }
+
+    double switch_velocity() const {
+        if (model.switch_velocity == SwitchVelocity::modulus)
+            return 0.5 * (left.velocity() + right.velocity()).norm();
+        if (model.switch_velocity == SwitchVelocity::harmonic)
+            return std::abs(harmonic(u_left(), u_right(), u_left() * u_right() > 0));
+        return std::abs(0.5 * (u_left() + u_right()));
     }
 
     double p_star(double smoothing_length) const {
@@ -188,7 +199,12 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         const Vec2 e = -offset.normalized(), n = normal(wall), t = tangent(wall);
         const double slope = particle_spacing * particle_spacing * kernel_slope(kernel, offset.norm());
         const bool edge = n.norm() == 0;
-        sums.compression += slope * (edge ? velocity.dot(e) : velocity.dot(n) * n.dot(e));
+        const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
+                                                    wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
+        const double star = model.wall_pressure_jump ? model.pressure_diffusion * (p.pressure - one_sided) /
+                                                           (2 * p.density * side.eos.sound_speed)
+                                                     : 0;
+        sums.compression += slope * (edge ? velocity.dot(e) - star : (velocity.dot(n) + star) * n.dot(e));
         if (offset.norm() < closest) {  // its face is the particle's own
             closest = offset.norm();
             nearest = edge ? closest : offset.dot(n);
@@ -198,15 +214,16 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
             stretching += slope * (p.velocity() - Vec2(rates.wall[w].vx, rates.wall[w].vy)).dot(t) * t.dot(e);
         }
 
-        const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
-                                                    wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
         const bool sees_mean = in_front && sees_mean_pressure(model, fluid.phase(i));
         const double behind = sees_mean ? rates.wall[w].pressure : one_sided;
         const DissipationLimiter limiter{side.impedance(), model.wall_dissipation / side.eos.sound_speed, 0};
-        double p_star = 0.5 * (p.pressure + behind) + riemann_dissipation(edge       ? velocity.dot(e)
-                                                                          : in_front ? -velocity.dot(n)
-                                                                                     : velocity.dot(n),
-                                                                          limiter);
+        const double mean = model.wall_pair_mean == WallPairMean::harmonic
+                                ? guarded_mean(model, p.pressure, behind, p.pressure > 0 && behind > 0)
+                                : 0.5 * (p.pressure + behind);
+        double p_star = mean + riemann_dissipation(edge       ? velocity.dot(e)
+                                                   : in_front ? -velocity.dot(n)
+                                                              : velocity.dot(n),
+                                                   limiter);
         const double jump = 2 * velocity.dot(e);
         if (model.wall_slip == WallSlip::no && model.viscosity != Viscosity::none &&
             (model.viscosity == Viscosity::symmetric || jump > 0)) {

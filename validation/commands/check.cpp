@@ -73,7 +73,10 @@ Finding check_scene(const std::string& file) {
         for (const auto& [tier, spacings_of] : varied.tiers) {
             const auto spacings = spacings_of.find(variant.name);
             if (spacings == spacings_of.end()) continue;
-            for (const double dx : spacings->second) check_row(varied, tier, dx);
+            for (const double dx : spacings->second) {
+                check_row(varied, tier, dx);
+                if (const auto doubt = doubtful_step(varied, dx)) add_once(found.doubts, *doubt);
+            }
         }
     }
     found.sentence = fmt::format("scene '{}' with {} variants", scene.name(), variants.size());

@@ -10,6 +10,7 @@
 #include "validation/commands/run_outcome.hpp"
 #include "validation/jobs/plan.hpp"
 #include "validation/run/stop_signal.hpp"
+#include "validation/scene/plausibility.hpp"
 
 namespace wetdeck {
 namespace {
@@ -38,6 +39,8 @@ int run_command(const RunCommand& options) {
     RunOptions run;
     run.particle_spacing =
         options.choice.particle_spacing ? *options.choice.particle_spacing : finest_quick_spacing(scene);
+    if (const auto doubt = doubtful_step(scene, run.particle_spacing))
+        fmt::print(stderr, "doubt: {}\n", *doubt);
     run.until = options.choice.until;
     run.replace = options.replace;
     run.directory = options.directory.empty()

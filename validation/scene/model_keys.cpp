@@ -159,6 +159,11 @@ ModelKey with_default(ModelKey row, const char* note) {
     return row;
 }
 
+ModelKey with_unit(ModelKey row, const char* unit) {
+    row.unit = unit;
+    return row;
+}
+
 std::vector<ModelKey> rows() {
     const std::vector<std::string> means = {"arithmetic", "density-weighted", "impedance-weighted",
                                             "harmonic"};
@@ -190,6 +195,10 @@ std::vector<ModelKey> rows() {
                 "pressure of walls: pair by pair, Shepard mean, or Shepard mean of the water for the water",
                 "Eqs. (17), (19)"),
             "Shepard wall pressure", std::string("one-sided")),
+        choice("wall_pair_mean", &Model::wall_pair_mean, {"arithmetic", "harmonic"},
+               "mean of the pressures of a fluid and a boundary particle in P*", "Eqs. (10)-(11), (19)"),
+        flag("wall_pressure_jump", &Model::wall_pressure_jump,
+             "whether the pressure jump at a wall enters u* there", "Eqs. (10), (17)"),
         background_pressure_row(),
         removable(number("pressure_diffusion", &Model::pressure_diffusion, {0, unbounded},
                          "factor on the pressure jump in u*, 1 is the Riemann value", "Eq. (10)"),
@@ -201,6 +210,11 @@ std::vector<ModelKey> rows() {
         removable_with(
             flag("dissipation_switch", &Model::dissipation_switch, "switched dissipation", "Eqs. (14)-(15)"),
             "switched dissipation", false, "model.air_substeps=1"),
+        choice(
+            "switch_velocity", &Model::switch_velocity, {"arithmetic", "harmonic", "modulus"},
+            "velocity factor of the switched dissipation: modulus of the arithmetic or harmonic mean of the "
+            "projections, or of the mean velocity",
+            "Eq. (14)"),
         air_substeps_row(),
         choice("velocity_mean", &Model::velocity_mean, means, "inter-particle mean of velocities",
                "Eq. (11)"),
@@ -214,6 +228,8 @@ std::vector<ModelKey> rows() {
                "Eq. (18)"),
         number("sponge_thickness", &Model::sponge_thickness, {0, unbounded},
                "thickness of the sponge layer along the tank's walls [m]; 0: none", "Eqs. (24)-(25)"),
+        choice("sponge_ramp", &Model::sponge_ramp, {"exponential", "larsen-dancy"},
+               "ramp of the sponge layer: 1 - 0.9^(50 l/s), or 100^(-0.9^(50 l/s))", "Eq. (25)"),
         with_default(
             flag("negative_pressure", &Model::negative_pressure,
                  "whether water may be rarefied; false: its density is kept at or above the reference"),
@@ -221,6 +237,9 @@ std::vector<ModelKey> rows() {
         number("smoothing_ratio", &Model::smoothing_ratio, {1, 3}, "smoothing length over particle spacing",
                "Eq. (7)"),
         number("courant_number", &Model::courant_number, {1e-12, 2}, "of the acoustic time step", "Eq. (26)"),
+        with_unit(number("fixed_step", &Model::fixed_step, {0, unbounded},
+                         "size of every time step; 0: the stable step of each moment", "Eq. (26)"),
+                  "s"),
         skin_row(),
         material_row(
             "water", "density", [](Scene& s) -> double& { return s.model.water.eos.reference_density; },

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "solver/setup/body_outline.hpp"
+#include "solver/time/time_step.hpp"
 
 namespace wetdeck {
 namespace {
@@ -67,6 +68,17 @@ std::vector<std::string> doubtful(const Scene& scene) {
                             body.name, ratio));
     }
     return found;
+}
+
+std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing) {
+    const double h = scene.model.smoothing_ratio * particle_spacing;
+    const TimeStep stable = stable_time_step(scene.model, h, {0, 0}, true, scene.air);
+    if (step_of(scene.model, stable).criterion != LimitingCriterion::fixed_beyond) return std::nullopt;
+    return fmt::format(
+        "model.fixed_step is {:.3g} s, {:.3g} times the stable step of {:.3g} s at the spacing {:.4g} m: the "
+        "run may "
+        "become unstable or be wrong without a sign",
+        scene.model.fixed_step, scene.model.fixed_step / stable.size, stable.size, particle_spacing);
 }
 
 }  // namespace wetdeck

@@ -2,6 +2,7 @@
 // What a scene may mean, but what is more often a slip: of a unit, a sign, a place.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,5 +14,9 @@ namespace wetdeck {
 /// it is compressed by more than 1 %), a body starts in the water, a body is more than 30 times heavier or
 /// 60 times lighter than the water it would displace.
 std::vector<std::string> doubtful(const Scene& scene);
+
+/// A sentence where the scene's fixed time step exceeds the criteria of Eq. (26) at this spacing [m], even
+/// for fluid at rest.
+std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing);
 
 }  // namespace wetdeck

@@ -56,6 +56,30 @@ const std::vector<Ingredient>& ingredients() {
              m.dissipation = Dissipation::none;
              m.dissipation_switch = true;
          }},
+        {"switch with the harmonic mean of the projections",
+         [](Model& m) {
+             m.dissipation_switch = true;
+             m.switch_velocity = SwitchVelocity::harmonic;
+             m.mean_guard = MeanGuard::same_sign_arithmetic;
+         }},
+        {"switch with the modulus of the mean velocity",
+         [](Model& m) {
+             m.dissipation_switch = true;
+             m.switch_velocity = SwitchVelocity::modulus;
+         }},
+        {"harmonic mean of pressures at walls",
+         [](Model& m) {
+             m.wall_pair_mean = WallPairMean::harmonic;
+             m.mean_guard = MeanGuard::same_sign_arithmetic;
+         }},
+        {"harmonic mean of one-sided pressures at walls, else zero",
+         [](Model& m) {
+             m.wall_pair_mean = WallPairMean::harmonic;
+             m.wall_pressure = WallPressure::one_sided;
+             m.mean_guard = MeanGuard::same_sign_zero;
+             m.water.eos.background_pressure = m.air.eos.background_pressure = 0;
+         }},
+        {"pressure jump at walls", [](Model& m) { m.wall_pressure_jump = true; }},
         {"no slip",
          [](Model& m) {
              m.wall_slip = WallSlip::no;

@@ -102,3 +102,22 @@ TEST_CASE("Every criterion has its name", "[time]") {
     CHECK(limiting_criterion_names[static_cast<std::size_t>(LimitingCriterion::force)] ==
           std::string("force"));
 }
+
+TEST_CASE("A fixed step is taken whatever the criteria say, and counted as within or beyond them", "[time]") {
+    Model model = samples::two_phase_model();
+    samples::Setup setup = samples::shaken_tank(model, 5);
+    const double stable = setup.simulate().time_step().size;
+    setup.model.fixed_step = 0.4 * stable;
+    Simulation small = setup.simulate();
+    CHECK_FALSE(small.step(1));
+    CHECK(small.time() == setup.model.fixed_step);
+    CHECK(small.limiting_counts()[static_cast<std::size_t>(LimitingCriterion::fixed)] == 1);
+    CHECK_FALSE(small.step(0.1 * stable));  // the end of a run comes first
+    CHECK(small.time() == Approx(0.5 * stable));
+    setup.model.fixed_step = 1.2 * stable;
+    Simulation large = setup.simulate();
+    CHECK(large.time_step().size == setup.model.fixed_step);
+    CHECK(large.time_step().criterion == LimitingCriterion::fixed_beyond);
+    CHECK_FALSE(large.step(1));
+    CHECK(large.limiting_counts()[static_cast<std::size_t>(LimitingCriterion::fixed_beyond)] == 1);
+}
