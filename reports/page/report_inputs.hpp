@@ -28,12 +28,18 @@ struct Picture {
     std::optional<double> scaled_time;  ///< T, where the scene has one scale of time
 };
 
+/// A key in which the scheme of a variant differs from that of the scene's source.
+struct SchemeRow {
+    std::string variant, key, meaning, equation, source, used;
+};
+
 struct ReportInputs {
     std::vector<std::pair<std::string, std::string>> program;  ///< name and value, in the order shown
     std::vector<std::pair<std::string, std::string>> machine;
-    std::map<std::string, std::vector<Picture>> pictures;  ///< by RunSummary::directory
-    std::map<std::string, std::string> sketches;           ///< SVG of the set-up, by scene
-    std::map<std::string, std::string> instabilities;      ///< PNG, by StressRow::picture
+    std::map<std::string, std::vector<Picture>> pictures;   ///< by RunSummary::directory
+    std::map<std::string, std::string> sketches;            ///< SVG of the set-up, by scene
+    std::map<std::string, std::vector<SchemeRow>> schemes;  ///< by scene
+    std::map<std::string, std::string> instabilities;       ///< PNG, by StressRow::picture
     std::string plotly;   ///< text of plotly.js; empty: the figures are static
     std::string note;     ///< one sentence on how this report was made
     std::string subject;  ///< of the title, for example "single runs"; empty: the tier of the summary

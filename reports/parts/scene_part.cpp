@@ -44,6 +44,14 @@ void add_set_up(Page& page, const AnalysisSpec& scene, const ReportInputs& input
         page.add(fmt::format("<img class=\"sketch\" alt=\"Set-up of the scene\" src=\"{}\">\n",
                              data_address("image/svg+xml", sketch->second)));
     }
+    const auto schemes = inputs.schemes.find(scene.scene);
+    if (schemes != inputs.schemes.end() && !schemes->second.empty()) {
+        page.section(3, "Schemes against that of the source", scene.scene);
+        page.add(
+            paragraph("Made from the models themselves: every key in which a variant differs from the scheme "
+                      "of the source as printed. A variant without a column does not differ."));
+        page.add(schemes_table(schemes->second));
+    }
     page.section(3, "Deviations from the source", scene.scene);
     page.add(scene.deviations.empty() ? paragraph("None stated.", "soft") : deviations_table(scene));
 }

@@ -146,6 +146,31 @@ std::string deviations_table(const AnalysisSpec& scene) {
     return table.html();
 }
 
+std::string schemes_table(const std::vector<SchemeRow>& rows) {
+    std::vector<std::string> variants, keys;
+    std::map<std::string, const SchemeRow*> row_of;
+    std::map<std::pair<std::string, std::string>, std::string> used;
+    for (const SchemeRow& row : rows) {
+        if (std::find(variants.begin(), variants.end(), row.variant) == variants.end())
+            variants.push_back(row.variant);
+        if (row_of.emplace(row.key, &row).second) keys.push_back(row.key);
+        used[{row.key, row.variant}] = row.used;
+    }
+    std::vector<std::string> headers = {"key", "meaning", "equation", "source"};
+    headers.insert(headers.end(), variants.begin(), variants.end());
+    Table table(headers, "compact");
+    for (const std::string& key : keys) {
+        const SchemeRow& row = *row_of.at(key);
+        std::vector<Cell> cells = {text(key), text(row.meaning), text(row.equation), text(row.source)};
+        for (const std::string& variant : variants) {
+            const auto found = used.find({key, variant});
+            cells.push_back(text(found == used.end() ? "same" : found->second));
+        }
+        table.add(cells);
+    }
+    return table.html();
+}
+
 std::string quantities_table(const Runs& runs) {
     const std::string out = by_variant(variants_of(runs), [&](const std::string& variant) {
         return quantities_of_variant(with_variant(runs, variant));

@@ -7,11 +7,14 @@
 
 #include "reports/figures/selection.hpp"
 #include "reports/page/html.hpp"
+#include "reports/page/report_inputs.hpp"
 
 namespace wetdeck::report {
 
 /// Of one scene.
 std::string deviations_table(const AnalysisSpec& scene);
+/// One row a key in which a scheme differs from that of the source, one column a variant that differs in any.
+std::string schemes_table(const std::vector<SchemeRow>& rows);
 std::string quantities_table(const Runs& runs);
 std::string comparison_tables(const Runs& runs);
 std::string agreement_table(const Runs& runs);

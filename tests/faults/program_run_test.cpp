@@ -98,8 +98,8 @@ TEST_CASE("overrides are kept with the run", "[faults]") {
 
 TEST_CASE("a run that becomes unstable ends with exit code 3 and keeps what it has", "[faults]") {
     const ScratchFolder folder;
-    const Outcome outcome =
-        run_program({"run", "dam_break", "--variant", "paper", "--dx", "0.04", "--out", folder / "run"});
+    const Outcome outcome = run_program(
+        {"run", "dam_break", "--variant", "paper-literal", "--dx", "0.04", "--out", folder / "run"});
     REQUIRE(outcome.code == 3);
     REQUIRE_THAT(outcome.out, Contains("unstable at t = ") && Contains("particle ") && Contains(" at ("));
     const RunRecord record = read_run(folder / "run/run.h5");

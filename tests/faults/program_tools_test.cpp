@@ -104,8 +104,9 @@ TEST_CASE("bash completes commands, options, scenes, variants, tiers and lists",
     }
     CHECK(offered("run \"\"").count("dam_break") == 1);
     CHECK(offered("run we") == std::set<std::string>{"wedge", "wedge_yettou"});
-    CHECK(offered("run dam_break --variant \"\"") ==
-          std::set<std::string>{"two-phase", "single-phase", "paper"});
+    CHECK(offered("run dam_break --variant \"\"") == std::set<std::string>{"two-phase", "single-phase",
+                                                                           "paper", "paper-no-switch",
+                                                                           "paper-central", "paper-literal"});
     CHECK(offered("suite --tier s") == std::set<std::string>{"standard"});
     CHECK(offered("suite --executor \"\"") == std::set<std::string>{"local", "slurm"});
     CHECK(offered("suite --only dam_break,cat") == std::set<std::string>{"dam_break,catamaran"});

@@ -17,6 +17,7 @@
 #include "validation/scene/identity.hpp"
 #include "validation/scene/model_keys.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/scene/scheme_differences.hpp"
 
 namespace wetdeck {
 namespace {
@@ -78,13 +79,14 @@ json costs_of(const Scene& scene, const std::filesystem::path& path) {
     return all;
 }
 
-json description(const std::string& name) {
+json description(const std::string& name, const std::optional<std::string>& variant) {
     const std::filesystem::path path = find_scene(name);
-    const Scene scene = read_scene(path);
+    const Scene scene = read_scene(path, variant);
     const Vec2 size = scene.tank.high - scene.tank.low;
     json all = {{"name", scene.name()},
                 {"title", scene.analysis.title},
                 {"purpose", scene.analysis.purpose},
+                {"variant", scene.variant},
                 {"source", scene.analysis.source},
                 {"file", path.string()},
                 {"tank", {size.x(), size.y()}},
@@ -96,6 +98,7 @@ json description(const std::string& name) {
                 {"bodies", json::array()},
                 {"probes", json::array()},
                 {"deviations", json::array()},
+                {"scheme_differences", json::array()},
                 {"series", series_of(scene)},
                 {"references", references_of(scene)},
                 {"cost", costs_of(scene, path)}};
@@ -113,6 +116,12 @@ json description(const std::string& name) {
     for (const Deviation& d : scene.analysis.deviations)
         all["deviations"].push_back(
             {{"item", d.item}, {"source", d.source}, {"used", d.used}, {"reason", d.reason}});
+    for (const SchemeDifference& d : scheme_differences(scene))
+        all["scheme_differences"].push_back({{"key", d.key},
+                                             {"meaning", d.meaning},
+                                             {"equation", d.equation},
+                                             {"source", d.source},
+                                             {"used", d.used}});
     return all;
 }
 
@@ -166,7 +175,12 @@ void print_references(const json& all) {
                                   : "  (curve not available: put it beside the scene file or at " +
                                         text(c["file"]) + ")");
     }
-    fmt::print("\nDeviations from the source\n");
+    if (!all["scheme_differences"].empty())
+        fmt::print("\nScheme of this variant: differences from the source, key by key\n");
+    for (const json& d : all["scheme_differences"])
+        fmt::print("  {:30} {} -> {}  {}\n", text(d["key"]), text(d["source"]), text(d["used"]),
+                   text(d["equation"]));
+    fmt::print("\nDeviations of the scene from the source\n");
     for (const json& d : all["deviations"])
         fmt::print("  {}: {} -> {} ({})\n", text(d["item"]), text(d["source"]), text(d["used"]),
                    text(d["reason"]));
@@ -210,6 +224,7 @@ void print_keys() {
 
 struct DescribeOptions {
     std::string scene;
+    std::optional<std::string> variant;
     bool keys = false, json = false;
 };
 
@@ -222,7 +237,7 @@ int describe(const DescribeOptions& options) {
         return exit_done;
     }
     if (options.scene.empty()) throw InputError("describe: expected a scene, or --keys");
-    const json all = description(options.scene);
+    const json all = description(options.scene, options.variant);
     if (options.json) {
         fmt::print("{}\n", all.dump(1));
         return exit_done;
@@ -245,6 +260,8 @@ void add_describe(CLI::App& app, int& exit_code) {
     command
         .add_option("scene", options->scene, "a name from `wetdeck list`, or the path of your own scene file")
         ->type_name("");
+    command.add_option("--variant", options->variant, "variant of the scene (default: that of the scene)")
+        ->type_name("VARIANT");
     command.add_flag("--keys", options->keys,
                      "instead: every key of the model with default, range and meaning");
     add_json(command, options->json);

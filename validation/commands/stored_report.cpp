@@ -21,6 +21,7 @@
 #include "validation/metrics/summary_json.hpp"
 #include "validation/metrics/verification_json.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/scene/scheme_differences.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/environment.hpp"
 #include "validation/store/provenance.hpp"
@@ -95,6 +96,19 @@ std::map<std::string, Scene> scenes_of(const std::vector<RunSummary>& runs) {
         scenes.insert_or_assign(run.record.scene, parse_scene(run.record.scene_text, run.record.scene_path));
     }
     return scenes;
+}
+
+/// How the schemes of the variants that were run differ from that of the scene's source.
+std::vector<report::SchemeRow> scheme_rows(const Scene& scene, const std::vector<RunSummary>& runs) {
+    std::vector<report::SchemeRow> rows;
+    std::set<std::string> done;
+    for (const RunSummary& run : runs) {
+        const RunRecord& r = run.record;
+        if (r.scene != scene.name() || !done.insert(r.variant).second) continue;
+        for (SchemeDifference& d : scheme_differences(parse_scene(r.scene_text, r.scene_path, r.variant)))
+            rows.push_back({r.variant, d.key, d.meaning, d.equation, d.source, d.used});
+    }
+    return rows;
 }
 
 /// What each variant asks of its runs, as the latest of them saw it.
@@ -201,7 +215,10 @@ Summary make_report(const fs::path& directory) {
     inputs.plotly = report::load_plotly();
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
     if (!fs::exists(directory / "suite.json")) inputs.subject = summary.tier;
-    for (const auto& [name, scene] : scenes) inputs.sketches[name] = sketch_svg(scene);
+    for (const auto& [name, scene] : scenes) {
+        inputs.sketches[name] = sketch_svg(scene);
+        inputs.schemes[name] = scheme_rows(scene, summary.runs);
+    }
     for (const StressRow& row : summary.stress) {
         const std::filesystem::path picture = directory / row.picture;
         if (std::filesystem::is_regular_file(picture))

@@ -2,6 +2,7 @@
 #include "validation/scene/scene.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -122,6 +123,12 @@ void rename_old_keys(TomlDocument& document, bool may_replace, std::vector<std::
         if (const auto note = document.rename(old_key, new_key, may_replace)) notes.push_back(*note);
 }
 
+void check_source_scheme(const TomlTable& root, const std::string& name) {
+    const std::vector<std::string> known = scheme_names();
+    if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+    root.fail("source_scheme", fmt::format("is '{}', expected one of {}", name, fmt::join(known, ", ")));
+}
+
 /// The scheme that the overrides, the variant or the scene names, or an empty name.
 std::string chosen_scheme(const TomlTable& root, const std::string& variant,
                           const std::vector<std::string>& overrides) {
@@ -170,6 +177,8 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     root.has("description");  // of the variant that was laid over the root
     root.has("scheme");
     root.has("schemes");
+    scene.source_scheme = root.text_or("source_scheme", "");
+    check_source_scheme(root, scene.source_scheme);
     scene.analysis.expected_unstable = root.choice("expect", {"stable", "unstable"}, "stable") == "unstable";
 
     const TomlTable tank = root.table("tank");

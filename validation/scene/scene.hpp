@@ -55,6 +55,7 @@ struct Scene {
     Model model;
     Execution execution;
     bool air = true;
+    std::string source_scheme;  ///< the scheme of the scene's source, or empty
     Box tank;
     std::vector<Box> water_boxes, air_boxes;
     std::vector<BodySpec> bodies;
