@@ -197,10 +197,14 @@ TEST_CASE("list, describe, help and version work without a scene being run", "[f
         REQUIRE(scenes.count(name) == 1);
     const nlohmann::json& scene = scenes.at("dam_break");
     REQUIRE(scene.at("default_variant") == "two-phase");
-    REQUIRE(scene.at("variants").size() == 3);
+    REQUIRE(scene.at("variants").size() == 6);
     REQUIRE_THAT(run_program({"list"}).out, Contains("single-phase"));
     REQUIRE_THAT(run_program({"describe", "dam_break"}).out,
-                 Contains("pressure_gauge") && Contains("buchner2002_front  (curve not available"));
+                 Contains("pressure_gauge") && Contains("buchner2002_front  (curve not available") &&
+                     Contains("model.smoothing_ratio          1.25 -> 1.5"));
+    const std::string paper = run_program({"describe", "dam_break", "--variant", "paper"}).out;
+    REQUIRE_THAT(paper, Contains("division -> same-sign-arithmetic") && !Contains("1.25 -> "));
+    expect_refusal({"describe", "dam_break", "--variant", "kraken"}, "kraken");
     REQUIRE_THAT(run_program({"--version"}).out, Contains("commit ") && Contains("instruction set "));
     const std::string help = run_program({"--help"}).out;
     CHECK_THAT(help, Contains("./wetdeck test") && Contains("./wetdeck docs"));

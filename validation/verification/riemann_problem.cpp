@@ -116,15 +116,20 @@ void symmetries(Findings& findings) {
     }
     findings.record("mirror_invariance", 1, mirror);
     findings.record("galilean_invariance", 1, galilean);
-    const double moved =
-        guarded_harmonic_mean(1.0 + 100, -0.5 + 100, 1e-12) - 100 - guarded_harmonic_mean(1.0, -0.5, 1e-12);
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "The harmonic mean of signed velocities, as Yang et al. (2020) print it, is not Galilean "
-                  "invariant: for 1 and "
-                  "-0.5 m/s it gives %.3g m/s, seen from a frame that moves by 100 m/s %.3g m/s. It is left "
-                  "to the `paper` variant.",
-                  guarded_harmonic_mean(1.0, -0.5, 1e-12), guarded_harmonic_mean(1.0, -0.5, 1e-12) + moved);
+    // what a mean of 1 and -0.5 m/s becomes for an observer who moves at 1 m/s
+    const auto seen = [](MeanGuard guard, double frame) {
+        return harmonic_mean(1.0 + frame, -0.5 + frame, guard, 1e-12) - frame;
+    };
+    char text[500];
+    std::snprintf(
+        text, sizeof text,
+        "A harmonic mean of velocities is not Galilean invariant. Of 1 and -0.5 m/s, seen at rest and from a "
+        "frame that moves at 1 m/s: as printed %.3g and %.3g m/s; harmonic for one sign, else arithmetic "
+        "%.3g and %.3g m/s; for one sign, else zero %.3g and %.3g m/s. The arithmetic mean is 0.25 m/s in "
+        "both. Only the variants of Yang et al. (2020) use harmonic means.",
+        seen(MeanGuard::division, 0), seen(MeanGuard::division, 1), seen(MeanGuard::same_sign_arithmetic, 0),
+        seen(MeanGuard::same_sign_arithmetic, 1), seen(MeanGuard::same_sign_zero, 0),
+        seen(MeanGuard::same_sign_zero, 1));
     findings.note(text);
 }
 

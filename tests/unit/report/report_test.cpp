@@ -103,6 +103,7 @@ TEST_CASE("Markup in any text of a scene or run is shown and not obeyed", "[repo
     inputs.note = evil;
     inputs.program = inputs.machine = {{evil, evil}};
     inputs.sketches["tank"] = "<svg xmlns='http://www.w3.org/2000/svg'>" + evil + "</svg>";
+    inputs.schemes["tank"] = {{evil, evil, evil, evil, evil, evil}};
     const std::string page = page_of(summary, inputs);
     CHECK_FALSE(contains(page, "<script>alert"));
     CHECK_FALSE(contains(page, "</script>alert"));
@@ -110,6 +111,21 @@ TEST_CASE("Markup in any text of a scene or run is shown and not obeyed", "[repo
     const std::size_t blocks = samples::occurrences(page, "<script type=\"application/json\"");
     CHECK(samples::occurrences(page, "<script") == blocks + 2);
     CHECK(samples::occurrences(page, "</script") == blocks + 2);
+}
+
+TEST_CASE("A report lists the keys in which schemes differ from that of the source, one column a variant",
+          "[report]") {
+    report::ReportInputs inputs = samples::inputs();
+    CHECK_FALSE(contains(page_of(samples::summary(), inputs), "Schemes against that of the source"));
+    inputs.schemes["tank"] = {
+        {"two-phase", "model.courant_number", "of the acoustic time step", "Eq. (26)", "0.25", "0.5"},
+        {"alone", "model.courant_number", "of the acoustic time step", "Eq. (26)", "0.25", "0.45"},
+        {"alone", "model.air", "whether the air is computed", "", "true", "false"}};
+    const std::string page = page_of(samples::summary(), inputs);
+    CHECK(contains(page, "Schemes against that of the source"));
+    CHECK(samples::occurrences(page, "<td>model.courant_number</td>") == 1);
+    CHECK(contains(page, "<td>0.25</td><td>0.5</td><td>0.45</td>"));
+    CHECK(contains(page, "<td>true</td><td>same</td><td>false</td>"));
 }
 
 TEST_CASE("Every figure has a drawing and a table of the same name, and the page links both", "[report]") {
