@@ -49,13 +49,14 @@ WETDECK_INLINE Pack wall_p_star(const FluidSide<Fluid>& fluid, const WallSide<Wa
     const Wall edge = 1.0 - (wall.nx * wall.nx + wall.ny * wall.ny);  // 1 where there is no normal, else 0
     const Pack approach_speed =
         select(signed_distance > 0.0, -normal_velocity, normal_velocity) + edge * approach;
-    Pack mean;
+    Pack p_star;
     if constexpr (terms.harmonic_pressure) {
-        mean = harmonic_mean_of_pressures(Pack(fluid.pressure), p_right, c.mean_guard, c.smallest_pressure);
+        p_star =
+            harmonic_mean_of_pressures(Pack(fluid.pressure), p_right, c.mean_guard, c.smallest_pressure) +
+            riemann_dissipation(approach_speed, c.limiter);
     } else {
-        mean = 0.5 * (fluid.pressure + p_right);
+        p_star = 0.5 * (fluid.pressure + p_right) + riemann_dissipation(approach_speed, c.limiter);
     }
-    Pack p_star = mean + riemann_dissipation(approach_speed, c.limiter);
     if constexpr (terms.no_slip) p_star += c.viscosity * maximum(2.0 * approach, c.lowest_viscous_jump);
     return p_star;
 }
