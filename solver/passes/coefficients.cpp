@@ -34,10 +34,6 @@ double lowest_viscous_jump(Viscosity form) {
 
 }  // namespace
 
-double smallest_pressure(const Model& model) {
-    return 1e-12 * model.water.eos.coefficient();
-}
-
 PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, double smoothing_length) {
     const Material& l = material(model, left);
     const Material& r = material(model, right);
@@ -86,8 +82,6 @@ WallCoefficients wall_coefficients(const Model& model, Phase phase, double smoot
     c.lowest_viscous_jump = lowest_viscous_jump(model.viscosity);
     if (model.wall_pressure_jump)
         c.jump_half_slowness = 0.5 * model.pressure_diffusion / fluid.eos.sound_speed;
-    c.mean_guard = model.mean_guard;
-    c.smallest_pressure = smallest_pressure(model);
     return c;
 }
 

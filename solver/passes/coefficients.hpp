@@ -27,12 +27,8 @@ struct WallCoefficients {
     double viscosity = 0;  ///< lambda mu / h of a no-slip wall
     double lowest_viscous_jump = 0;
     double jump_half_slowness = 0;  ///< 1 / (2 c) where the jump of Eq. (17) enters u*, else 0 [s/m]
-    MeanGuard mean_guard = MeanGuard::division;  ///< of a harmonic mean of pressures
-    double smallest_pressure = 0;                ///< sum of two that it divides by [Pa]
 };
 
-/// The smallest sum of two pressures that a harmonic mean divides by [Pa].
-double smallest_pressure(const Model& model);
 /// Coefficients of an ordered pair of phases under a model.
 PairCoefficients pair_coefficients(const Model& model, Phase left, Phase right, double smoothing_length);
 /// Coefficients of a phase and a wall.

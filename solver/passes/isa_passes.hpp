@@ -19,11 +19,11 @@ std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candida
 
 /// Calls f.operator()<flags...>() with run-time flags as template arguments.
 template <class F>
-Pass with_flags(F f) {
+auto with_flags(F f) {
     return f.template operator()<>();
 }
 template <class F, class... Rest>
-Pass with_flags(F f, bool flag, Rest... rest) {
+auto with_flags(F f, bool flag, Rest... rest) {
     if (flag)
         return with_flags(
             [f]<bool... more>() { return f.template operator()<true, more...>(); }, rest...);

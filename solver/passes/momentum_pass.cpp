@@ -86,7 +86,7 @@ VectorSum wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, c
         const double mean = terms.shepard_pressure ? in.wall_mean[index].pressure : 0;
         const WallSide<double> wall = {w.nx, w.ny, w.ax - in.gravity.x(), w.ay - in.gravity.y(), mean};
         const WallPairGeometry pair = {s.x, s.y, i.vx - w.vx, i.vy - w.vy, s.inverse_distance};
-        const Pack p_star = wall_p_star<terms>(FluidSide<Pack>{i.pressure, i.density}, wall, pair, c);
+        const Pack p_star = wall_p_star<terms>(in, FluidSide<Pack>{i.pressure, i.density}, wall, pair, c);
         const Pack weight = WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
         sum.x += weight * s.x;
         sum.y += weight * s.y;
@@ -97,10 +97,11 @@ VectorSum wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, c
 /// The sum over walls that a phase takes.
 template <bool no_slip>
 auto choose_wall_sum(const PassInput& in, std::size_t phase) {
-    const bool shepard = in.wall_pressure_mean[phase];
-    if (in.model->wall_pair_mean == WallPairMean::harmonic)
-        return shepard ? wall_sum<WallTerms{no_slip, true, true}> : wall_sum<WallTerms{no_slip, false, true}>;
-    return shepard ? wall_sum<WallTerms{no_slip, true}> : wall_sum<WallTerms{no_slip, false}>;
+    return with_flags(
+        []<bool shepard, bool harmonic>() {
+            return &wall_sum<WallTerms{no_slip, shepard, harmonic}>;
+        },
+        in.wall_pressure_mean[phase], in.model->wall_pair_mean == WallPairMean::harmonic);
 }
 
 template <MomentumTerms terms>

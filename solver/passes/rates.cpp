@@ -24,7 +24,7 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
     in.particle_spacing = setup.particle_spacing;
     in.wall_volume = setup.particle_spacing * setup.particle_spacing;
     in.smallest_velocity = 1e-12 * model.water.eos.sound_speed;
-    in.smallest_pressure = smallest_pressure(model);
+    in.smallest_pressure = 1e-12 * model.water.eos.coefficient();
     in.reference_density = {model.water.eos.reference_density, model.air.eos.reference_density};
     in.wall_pressure_mean = {model.wall_pressure != WallPressure::one_sided,
                              model.wall_pressure == WallPressure::shepard};

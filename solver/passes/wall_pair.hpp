@@ -11,9 +11,9 @@ namespace wetdeck::WETDECK_ISA {
 
 /// What a pair with a wall computes, resolved at compile time.
 struct WallTerms {
-    bool no_slip;                    ///< the wall drags the fluid along
-    bool shepard_pressure;           ///< the wall has the mean pressure of the fluid around it
-    bool harmonic_pressure = false;  ///< the pressure mean is harmonic
+    bool no_slip;            ///< the wall drags the fluid along
+    bool shepard_pressure;   ///< the wall has the mean pressure of the fluid around it
+    bool harmonic_pressure;  ///< the pressure mean is harmonic
 };
 
 /// The fluid particle of a pair. Either side may be the pack.
@@ -36,8 +36,9 @@ struct WallPairGeometry {
 /// P* of a pair. Fluid behind the face takes the one-sided pressure: the mean there belongs to the other side
 /// of a thin body.
 template <WallTerms terms, class Fluid, class Wall>
-WETDECK_INLINE Pack wall_p_star(const FluidSide<Fluid>& fluid, const WallSide<Wall>& wall,
-                                const WallPairGeometry& pair, const WallCoefficients& c) {
+WETDECK_INLINE Pack wall_p_star(const PassInput& in, const FluidSide<Fluid>& fluid,
+                                const WallSide<Wall>& wall, const WallPairGeometry& pair,
+                                const WallCoefficients& c) {
     const Pack signed_distance = pair.x * wall.nx + pair.y * wall.ny;
     const Pack one_sided = one_sided_pressure(Pack(fluid.pressure), Pack(fluid.density), pair.x, pair.y,
                                               wall.relative_x, wall.relative_y);
@@ -51,9 +52,9 @@ WETDECK_INLINE Pack wall_p_star(const FluidSide<Fluid>& fluid, const WallSide<Wa
         select(signed_distance > 0.0, -normal_velocity, normal_velocity) + edge * approach;
     Pack p_star;
     if constexpr (terms.harmonic_pressure) {
-        p_star =
-            harmonic_mean_of_pressures(Pack(fluid.pressure), p_right, c.mean_guard, c.smallest_pressure) +
-            riemann_dissipation(approach_speed, c.limiter);
+        p_star = harmonic_mean_of_pressures(Pack(fluid.pressure), p_right, in.model->mean_guard,
+                                            in.smallest_pressure) +
+                 riemann_dissipation(approach_speed, c.limiter);
     } else {
         p_star = 0.5 * (fluid.pressure + p_right) + riemann_dissipation(approach_speed, c.limiter);
     }

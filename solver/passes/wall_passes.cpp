@@ -49,7 +49,7 @@ void add_reactions(const PassInput& in, const WallLanes& w, Pack mean, Neighbour
         const FluidState& f = in.fluid[index];
         const Separation s = separation(w, f.x, f.y);
         const WallPairGeometry pair = {-s.x, -s.y, f.vx - w.vx, f.vy - w.vy, s.inverse_distance};
-        const Pack p_star = wall_p_star<terms>(FluidSide<double>{f.pressure, f.density}, wall, pair, c);
+        const Pack p_star = wall_p_star<terms>(in, FluidSide<double>{f.pressure, f.density}, wall, pair, c);
         const Pack weight = f.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
         sum.x += weight * s.x;
         sum.y += weight * s.y;
@@ -59,11 +59,11 @@ void add_reactions(const PassInput& in, const WallLanes& w, Pack mean, Neighbour
 /// The reactions to the pairs of a phase.
 template <bool no_slip>
 auto choose_reactions(const PassInput& in, std::size_t phase) {
-    const bool shepard = in.wall_pressure_mean[phase];
-    if (in.model->wall_pair_mean == WallPairMean::harmonic)
-        return shepard ? add_reactions<WallTerms{no_slip, true, true}>
-                       : add_reactions<WallTerms{no_slip, false, true}>;
-    return shepard ? add_reactions<WallTerms{no_slip, true}> : add_reactions<WallTerms{no_slip, false}>;
+    return with_flags(
+        []<bool shepard, bool harmonic>() {
+            return &add_reactions<WallTerms{no_slip, shepard, harmonic}>;
+        },
+        in.wall_pressure_mean[phase], in.model->wall_pair_mean == WallPairMean::harmonic);
 }
 
 /// Force of the fluid on each boundary particle of a body, Eq. (20): minus the forces of its pairs.

@@ -123,12 +123,6 @@ void rename_old_keys(TomlDocument& document, bool may_replace, std::vector<std::
         if (const auto note = document.rename(old_key, new_key, may_replace)) notes.push_back(*note);
 }
 
-void check_source_scheme(const TomlTable& root, const std::string& name) {
-    const std::vector<std::string> known = scheme_names();
-    if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
-    root.fail("source_scheme", fmt::format("is '{}', expected one of {}", name, fmt::join(known, ", ")));
-}
-
 /// The scheme that the overrides, the variant or the scene names, or an empty name.
 std::string chosen_scheme(const TomlTable& root, const std::string& variant,
                           const std::vector<std::string>& overrides) {
@@ -177,8 +171,7 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     root.has("description");  // of the variant that was laid over the root
     root.has("scheme");
     root.has("schemes");
-    scene.source_scheme = root.text_or("source_scheme", "");
-    check_source_scheme(root, scene.source_scheme);
+    scene.source_scheme = root.choice("source_scheme", scheme_names(), "");
     scene.analysis.expected_unstable = root.choice("expect", {"stable", "unstable"}, "stable") == "unstable";
 
     const TomlTable tank = root.table("tank");
