@@ -10,6 +10,7 @@
 #include "validation/commands/options.hpp"
 #include "validation/commands/publish.hpp"
 #include "validation/commands/stored_report.hpp"
+#include "validation/metrics/flow_flags.hpp"
 #include "validation/run/exit_code.hpp"
 
 namespace wetdeck {
@@ -31,6 +32,12 @@ int report_command(const ReportOptions& options) {
 
 int print_verdict(const Summary& summary, const std::filesystem::path& directory) {
     fmt::print("report: {}\n", (directory / "index.html").string());
+    for (const RunSummary& run : summary.runs) {
+        if (run.expected_unstable) continue;
+        for (const std::string& flag : flow_flags(run.record))
+            fmt::print(stderr, "doubt: {} {} dx {}: {}\n", run.record.scene, run.record.variant,
+                       run.record.particle_spacing, flag);
+    }
     const std::vector<std::string> outside = outside_tolerance(summary);
     if (outside.empty()) return exit_done;
     constexpr std::size_t most = 3;
