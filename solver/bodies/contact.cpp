@@ -76,8 +76,11 @@ void for_each_corner(const RigidBody& body, const SurfaceType& surface, double m
     }
 }
 
-bool near(const RigidBody& a, const RigidBody& b, double margin) {
-    return (a.position - b.position).norm() < a.radius + b.radius + margin;
+/// Of the farthest corner about the mass centre [m].
+double reach_of(const RigidBody& body) {
+    double reach2 = 0;
+    for (const Vec2& corner : body.corners) reach2 = std::max(reach2, corner.squaredNorm());
+    return std::sqrt(reach2);
 }
 
 /// Adds the loads of the corners of one body behind one surface; `other` is the body of that surface.
@@ -139,10 +142,13 @@ template <class Bodies, class Visit>
 void for_each_pair(Bodies& bodies, Box tank, double margin, const Visit& visit) {
     const Face faces[] = {{tank.low, {0, 1}}, {tank.high, {0, -1}}, {tank.low, {1, 0}}, {tank.high, {-1, 0}}};
     for (auto& body : bodies) {
+        const double reach = reach_of(body) + margin;
         for (const Face& face : faces)
-            if (face.of(body.position).depth > -body.radius - margin) visit(body, nullptr, face);
-        for (auto& other : bodies)
-            if (&other != &body && near(body, other, margin)) visit(body, &other, Surface{other});
+            if (face.of(body.position).depth > -reach) visit(body, nullptr, face);
+        for (auto& other : bodies) {
+            const double distance = (body.position - other.position).norm();
+            if (&other != &body && distance < reach + reach_of(other)) visit(body, &other, Surface{other});
+        }
     }
 }
 

@@ -29,7 +29,7 @@ std::string put_long_scene(const ScratchFolder& folder) {
                                                "frames = [0.05, 0.1]", "frame_interval = 0.1"));
 }
 
-/// The same, and a block that falls into the water.
+/// The same, and a block that falls into the water and on the floor.
 std::string put_long_scene_with_body(const ScratchFolder& folder) {
     const std::string scene = samples::bytes_of(put_long_scene(folder));
     samples::put_bytes(folder / "body.toml", samples::replaced(scene, "[model]\n", R"toml([body]
@@ -39,6 +39,9 @@ free = ["x", "y", "rotation"]
 velocity_y = -1.0
 mass = 15.0
 inertia = 0.05
+
+[contact]
+restitution = 0.5
 
 [model]
 )toml"));

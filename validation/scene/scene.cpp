@@ -62,11 +62,19 @@ void check_column(const TomlTable& initial, const Scene& scene) {
     constexpr double tolerance = 1e-9;
     const double face = scene.initial.released_face;
     double left = face, right = face;
+    const auto wet = [&](double x, double y) {
+        return std::any_of(scene.water_boxes.begin(), scene.water_boxes.end(), [&](const Box& box) {
+            return box.low.x() <= x && x <= box.high.x() && box.low.y() <= y && y <= box.high.y();
+        });
+    };
     for (const Box& box : scene.water_boxes) {
+        const double below = box.low.y() - tolerance;
+        const bool stands =
+            below <= 0 || (wet(box.low.x() + tolerance, below) && wet(box.high.x() - tolerance, below));
         left = std::min(left, box.low.x());
         right = std::max(right, box.high.x());
         const double top = water_top(scene.water_boxes, box.low + Vec2::Constant(tolerance));
-        if (box.low.y() > tolerance || std::abs(top - scene.initial.surface) > tolerance)
+        if (!stands || std::abs(top - scene.initial.surface) > tolerance)
             initial.fail("pressure",
                          fmt::format("'greco' is that of one column from the floor to the surface at {} m; a "
                                      "box of water reaches from y = {} to {} m",
