@@ -53,6 +53,7 @@ json series_of(const Scene& scene) {
                 {{"name", row.info.name}, {"unit", row.info.unit}, {"description", row.info.description}});
     };
     add(every_run_series());
+    add(field_series(scene));
     if (!scene.bodies.empty()) {
         add(recorded_body_series());
         add(derived_body_series());
