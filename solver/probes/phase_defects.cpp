@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace wetdeck {
@@ -60,6 +61,20 @@ class Cells {
     std::vector<bool> marked_;
 };
 
+/// Sets of particles that grow together.
+class Groups {
+  public:
+    explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    std::uint32_t of(std::uint32_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::uint32_t a, std::uint32_t b) { parent_[of(a)] = of(b); }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
 }  // namespace
 
 double void_area(const Simulation& simulation, std::span<const Outline> outlines) {
@@ -98,6 +113,31 @@ MixedParticles mixed_particles(const Simulation& simulation) {
         }
     }
     return mixed;
+}
+
+double enclosed_air(const Simulation& simulation) {
+    const NeighbourList& list = simulation.neighbours();
+    const FluidParticles& fluid = simulation.fluid();
+    constexpr auto air = static_cast<std::size_t>(Phase::air);
+    const double reach = 1.5 * simulation.particle_spacing();
+    Groups groups(fluid.size());
+    for (const Cluster& cluster : list.clusters()) {
+        if (cluster.phase != Phase::air) continue;
+        for (const std::uint32_t j : fluid_neighbours(list.blocks(), cluster, air)) {
+            if (j >= fluid.size()) continue;  // a periodic image
+            for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+                const Vec2 apart = fluid.state[i].position() - fluid.state[j].position();
+                if (apart.squaredNorm() < reach * reach) groups.join(i, j);
+            }
+        }
+    }
+    std::vector<double> volume(fluid.size());
+    double all = 0;
+    for (std::size_t i = fluid.water; i < fluid.size(); ++i) {
+        volume[groups.of(static_cast<std::uint32_t>(i))] += fluid.state[i].volume;
+        all += fluid.state[i].volume;
+    }
+    return volume.empty() ? 0 : all - *std::max_element(volume.begin(), volume.end());
 }
 
 std::size_t particles_in_bodies(const Simulation& simulation, std::span<const Outline> outlines) {

@@ -25,6 +25,10 @@ struct MixedParticles {
 };
 MixedParticles mixed_particles(const Simulation& simulation);
 
+/// Volume of the air [m^2 a metre of span] that is cut off from the largest body of air: cavities and
+/// bubbles. Air particles closer than 1.5 spacings belong together.
+double enclosed_air(const Simulation& simulation);
+
 /// Fluid particles whose centres lie inside a body. Boundary particles keep them half a spacing outside.
 /// @param outlines  of the bodies, in their frames about the mass centre [m]
 std::size_t particles_in_bodies(const Simulation& simulation, std::span<const Outline> outlines);

@@ -59,6 +59,11 @@ const std::vector<FieldSeries>& all_field_series() {
           "field files"},
          false,
          [](State s, Outlines) { return static_cast<double>(mixed_particles(s).air_in_water); }},
+        {{"enclosed_air", "m^2",
+          "volume a metre of span of the air that is cut off from the largest body of air; at the field "
+          "files"},
+         false,
+         [](State s, Outlines) { return enclosed_air(s); }},
         {{"particles_in_bodies", "-", "fluid particles whose centres lie inside a body; at the field files"},
          true,
          [](State s, Outlines o) { return static_cast<double>(particles_in_bodies(s, o)); }}};

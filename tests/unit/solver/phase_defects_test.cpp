@@ -44,7 +44,7 @@ TEST_CASE("The area of a strip without particles is what is farther than one spa
     const Simulation simulation = filled({{{0, 0}, {0.3, 1}}, {{0.3 + cells * dx, 0}, {1, 1}}}, {});
     // mean of sqrt(1 - s^2) over |s| < 1/2: how far the circles about a column of particles reach
     const double reach = (0.25 * std::sqrt(3.0) + std::asin(0.5)) * dx;
-    CHECK(void_area(simulation, {}) == Approx((cells + 1) * dx - 2 * reach).epsilon(0.02));
+    CHECK(void_area(simulation, {}) == Approx((cells + 1) * dx - 2 * reach).margin(0.25 * dx));
 }
 
 TEST_CASE("A missing particle is no void, a missing block of three by three is", "[probe]") {
@@ -64,6 +64,19 @@ TEST_CASE("Single particles of one phase within the other are counted, drops of 
     CHECK(mixed_particles(bubble).water_in_air == 0);
 }
 
+TEST_CASE("Air within water is enclosed, air that reaches the rest by a channel is not", "[probe]") {
+    // a block of 0.08 m in water of 0.5 m under air; a channel of two spacings leads up from it
+    const Box block{{0.4, 0.2}, {0.48, 0.28}}, channel{{0.42, 0.28}, {0.46, 0.5}}, above{{0, 0.5}, {1, 1}};
+    const std::vector<Box> around{{{0, 0}, {0.4, 0.5}}, {{0.4, 0}, {0.48, 0.2}}, {{0.48, 0}, {1, 0.5}}};
+    std::vector<Box> water = around;
+    water.push_back({{0.4, 0.28}, {0.48, 0.5}});
+    CHECK(enclosed_air(filled(water, {block, above})) == Approx(0.08 * 0.08).epsilon(1e-9));
+    water.back() = {{0.4, 0.28}, {0.42, 0.5}};
+    water.push_back({{0.46, 0.28}, {0.48, 0.5}});
+    CHECK(enclosed_air(filled(water, {block, channel, above})) == Approx(0).margin(1e-12));
+    CHECK(enclosed_air(filled(water, {})) == 0);
+}
+
 TEST_CASE("Fluid inside a body is counted in the body's frame, whatever its pose", "[probe]") {
     const double angle = GENERATE(0.0, 0.4, -2.0);
     samples::Setup setup(samples::two_phase_model(), tank, dx);
@@ -71,6 +84,7 @@ TEST_CASE("Fluid inside a body is counted in the body's frame, whatever its pose
     RigidBody body;
     body.position = {0.5, 0.5};
     body.angle = angle;
+    body.free = {false, false, false};
     for (const Vec2 place : {Vec2(0.09, 0.04), Vec2(-0.09, 0.0), Vec2(0.0, -0.04), Vec2(0.0, 0.06)}) {
         const Vec2 at = body.placed(place) - Vec2(0.5 * dx, 0.5 * dx);
         setup.fill(Phase::water, {at, at + Vec2(dx, dx)});
