@@ -107,6 +107,14 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     }
     page.section(3, "Quantities of interest", scene.scene);
     page.add(quantities_table(runs));
+    if (const std::string statements = statements_table(summary, scene); !statements.empty()) {
+        page.section(3, "Statements of the source", scene.scene);
+        page.add(
+            paragraph("What the text of the source says, against runs of the variants: at the finest "
+                      "spacing that the runs compared have in common. Meeting a statement reproduces "
+                      "the source and validates nothing."));
+        page.add(statements);
+    }
     add_comparisons(page, scene, runs);
     std::vector<Figure> uncompared = body_figures(runs);
     for (Figure& profile : profile_figures(runs)) uncompared.push_back(std::move(profile));
@@ -129,10 +137,15 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     page.section(3, "Conservation", scene.scene);
     page.add(conservation_table(runs));
     add_by_variant(page, runs, energy_figures);
+    if (const std::string defects = phase_defects_table(runs); !defects.empty()) {
+        page.section(3, "Voids, mixing and penetration", scene.scene);
+        page.add(defects);
+    }
 
     page.section(3, "Cost", scene.scene);
     page.add(cost_table(runs, scene));
     add_pictures(page, runs, inputs);
+    add_side_by_side_part(page, scene, runs, inputs);
 
     page.section(3, "Limits of validity", scene.scene);
     std::string limits;

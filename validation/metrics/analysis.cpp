@@ -14,6 +14,7 @@
 #include "validation/metrics/quantities.hpp"
 #include "validation/metrics/resample.hpp"
 #include "validation/metrics/speed_error.hpp"
+#include "validation/metrics/statements.hpp"
 #include "validation/metrics/statistics.hpp"
 #include "validation/metrics/validation.hpp"
 
@@ -173,6 +174,7 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         append(summary.cheapest, cheapest_rows(summary.runs, spec));
         append(summary.peers, peer_points(spec, references));
+        append(summary.statements, judge_statements(spec, summary.runs));
         if (spec.error_quantity.empty()) continue;
         append(summary.speed_error, speed_error_points(summary.runs, spec, summary.convergence));
     }

@@ -90,6 +90,27 @@ struct SourceFigure {
     std::string source;  ///< citation
 };
 
+/// A statement in the text of the scene's source that relates two runs, or two quantities of one run.
+struct SourceStatement {
+    enum class Measure { difference, ratio, curve_difference };
+    std::string says;                   ///< the statement in own words
+    std::vector<std::string> variants;  ///< it is judged for each of them ...
+    std::vector<std::string> against;   ///< ... against the variant in the same place; empty: the same run
+    Measure measure = Measure::difference;
+    std::string quantity;          ///< of the variant; for a curve difference the name of a series
+    std::string against_quantity;  ///< the same unless the statement relates two quantities
+    std::optional<Window> window;  ///< of a curve difference, on the clock of the run [s]
+    double low = 0, high = 0;      ///< the measure of the statement lies between them; may be infinite
+};
+
+/// Variants that the report shows beside each other: their fields at one time, or one series of all.
+struct SideBySide {
+    std::string title;
+    std::vector<std::string> variants;
+    std::optional<double> time;  ///< of the fields, on the clock of the run [s]
+    std::string series;          ///< drawn for all variants; empty: none
+};
+
 /// The part of a scene that analysis and report need.
 struct AnalysisSpec {
     std::string scene;
@@ -102,6 +123,8 @@ struct AnalysisSpec {
     std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
     std::vector<SourceFigure> source_figures;
+    std::vector<SourceStatement> statements;
+    std::vector<SideBySide> side_by_side;
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::optional<SourceRun> source_run;
     std::string error_quantity;  ///< the quantity whose error the speed-error diagram shows

@@ -161,7 +161,7 @@ std::vector<std::string> series_names(const Scene& scene) {
     std::vector<std::string> names;
     for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
     for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
-    for (const FieldSeries& each : field_series(scene)) names.push_back(each.info.name);
+    for (const FieldSeries& each : all_field_series()) names.push_back(each.info.name);
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
         for (const BodySeries& each : recorded_body_series())
             names.push_back(body_series_name(each.info.name, body));
@@ -232,6 +232,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     const Axes axes = read_axes(root);
     const std::set<std::string> quantities = read_quantities(root, axes, scene);
     read_comparisons(root, axes, scene);
+    read_statements(root, series_names(scene), {quantities.begin(), quantities.end()}, scene);
     read_deviations(root, analysis);
     read_source_figures(root, analysis);
     read_sensitivities(root, analysis);

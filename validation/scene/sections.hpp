@@ -22,6 +22,9 @@ void read_model(const TomlTable& root, Scene& scene);
 void read_air_law(const TomlTable& air, Model& model);
 /// [[quantities]], [[compare]], [[deviations]], [[source_figures]], limits.
 void read_analysis(const TomlTable& root, Scene& scene);
+/// [[source_statements]] and [[side_by_side]]; `series` and `quantities` are the names they may use.
+void read_statements(const TomlTable& root, const std::vector<std::string>& series,
+                     const std::vector<std::string>& quantities, Scene& scene);
 /// [body], [body_2], ...
 void read_bodies(const TomlTable& root, Scene& scene);
 /// [[probes]]
