@@ -44,8 +44,8 @@ TEST_CASE("A wrong entry of the figures is named with its line and key", "[sourc
     const auto lines = static_cast<int>(std::count(small_scene.begin(), small_scene.end(), '\n'));
     CHECK(refused(sound + "colour = \"red\"\n") ==
           "small.toml:" + std::to_string(lines + 6) +
-              ": key 'source_figures[0].colour': unknown, expected one of number, places, remark, shows, "
-              "source");
+              ": key 'source_figures[0].colour': unknown, expected one of curves, number, places, remark, "
+              "shows, source");
     CHECK_THAT(refused("shows = \"x\"\nremark = \"y\"\n"),
                EndsWith("key 'source_figures[0].number': missing, expected a text"));
     CHECK_THAT(refused("number = 3\nshows = \"x\"\nremark = \"y\"\n"),
