@@ -26,6 +26,7 @@ struct AxesKey {
 
     /// Of figures: the aligned ones stand beside those of the same series over time.
     std::string name() const { return quantity + (aligned ? "-aligned" : ""); }
+    std::string title() const { return quantity + (aligned ? ", aligned on the peaks" : ""); }
 };
 
 constexpr double unknown_scale = 0;
@@ -183,9 +184,8 @@ Figure comparison_figure(const AnalysisSpec& scene, const AxesKey& key, const Ru
                          std::size_t variant) {
     Figure figure = curve_figure(scene, key, runs);
     const RunSummary& finest = *runs.back();
-    const std::string name = key.name();
-    figure.name = fmt::format("{}-{}-{}", scene.scene, finest.record.variant, name);
-    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, name);
+    figure.name = fmt::format("{}-{}-{}", scene.scene, finest.record.variant, key.name());
+    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, key.title());
     Group group;
     std::vector<PlotSeries> simulations;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -227,7 +227,7 @@ std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs)
     for (const AxesKey& key : keys_of(scene, finest)) {
         Figure figure = curve_figure(scene, key, finest);
         figure.name = fmt::format("{}-variants-{}", scene.scene, key.name());
-        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, key.name());
+        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, key.title());
         Group references;  // the same for all variants
         for (std::size_t v = 0; v < finest.size(); ++v) {
             const Group group = group_of(scene, *finest[v], key);

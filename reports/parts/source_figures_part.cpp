@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "reports/page/html.hpp"
 #include "reports/parts/parts.hpp"
@@ -70,6 +71,29 @@ std::string figures_table(const Page& page, const Summary& summary, const Analys
     return table.html();
 }
 
+/// The figures of one source in one scene.
+struct Block {
+    const AnalysisSpec* scene;
+    std::string source;
+    int first;  ///< number of its first figure
+};
+
+/// As the figures follow each other in a source that several scenes share.
+std::vector<Block> blocks_of(const std::vector<AnalysisSpec>& scenes) {
+    std::vector<Block> blocks;
+    for (const AnalysisSpec& scene : scenes) {
+        for (const std::string& source : sources_of(scene)) {
+            const auto first =
+                std::find_if(scene.source_figures.begin(), scene.source_figures.end(),
+                             [&](const SourceFigure& figure) { return figure.source == source; });
+            blocks.push_back({&scene, source, std::atoi(first->number.c_str())});
+        }
+    }
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const Block& a, const Block& b) { return a.first < b.first; });
+    return blocks;
+}
+
 }  // namespace
 
 void add_source_figures_part(Page& page, const Summary& summary) {
@@ -80,10 +104,9 @@ void add_source_figures_part(Page& page, const Summary& summary) {
     page.add(
         paragraph("Where this report shows what the figures of the sources show, and whether the measured "
                   "or computed curves of others in them are at hand."));
-    for (const AnalysisSpec& scene : scenes) {
-        for (const std::string& source : sources_of(scene))
-            page.add("<h4>" + escape(source) + "</h4>\n" + figures_table(page, summary, scene, source));
-    }
+    for (const Block& block : blocks_of(scenes))
+        page.add("<h4>" + escape(block.source) + "</h4>\n" +
+                 figures_table(page, summary, *block.scene, block.source));
 }
 
 }  // namespace wetdeck::report

@@ -44,6 +44,21 @@ TEST_CASE("A figure without a counterpart has a reason", "[report]") {
     CHECK(contains(page_of(summary), "Not shown: this directory holds no run of the scene."));
 }
 
+TEST_CASE("The figures of a source that several scenes share are listed from its first on", "[report]") {
+    Summary summary = with_figures();
+    summary.scenes.push_back(summary.scenes[0]);
+    summary.scenes[1].scene = "zz";
+    summary.scenes[1].source_figures = {{"10", "late", {}, "none", "S, section 2"}};
+    summary.scenes[0].source_figures = {{"19", "last", {}, "none", "S, section 3"}};
+    summary.scenes.push_back(summary.scenes[0]);
+    summary.scenes[2].scene = "zzz";
+    summary.scenes[2].source_figures = {{"1", "early", {}, "none", "S, section 1"}};
+    const std::string page = page_of(summary);
+    const std::size_t early = page.find("<h4>S, section 1"), late = page.find("<h4>S, section 2");
+    CHECK(early < late);
+    CHECK(late < page.find("<h4>S, section 3"));
+}
+
 TEST_CASE("A figure names the curves of others that it shows, at hand or not", "[report]") {
     Summary summary = with_figures();
     summary.scenes[0].source_figures[0].curves = {{"measured", true}, {"<lost>", false}};

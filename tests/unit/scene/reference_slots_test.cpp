@@ -69,7 +69,8 @@ std::vector<ComparisonResult> comparisons_with(const std::string& stem, const Sc
     RunSummary run;
     run.record = record;
     std::vector<ComparisonResult> found;
-    for (ComparisonResult& c : analyse({scene.analysis}, {run}, references).runs.front().comparisons) {
+    Summary summary = analyse({scene.analysis}, {run}, references);
+    for (ComparisonResult& c : summary.runs.front().comparisons) {
         if (c.reference == stem) found.push_back(std::move(c));
     }
     return found;
@@ -293,7 +294,7 @@ TEST_CASE("A file dropped into a slot appears in the report without another chan
     record.series["front"] = sampled(
         scene, [](double t) { return 1.2 + 3 * t; }, "m");
     fs::create_directories(results / "run");
-    write_run(record, results / "run/run.h5");
+    write_run(results / "run", record);
     fs::create_directories(data / "reference_data");
     ::setenv("WETDECK_DATA", fs::path(data).c_str(), 1);
     make_report(results);
