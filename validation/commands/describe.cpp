@@ -54,6 +54,7 @@ json series_of(const Scene& scene) {
     };
     add(every_run_series());
     add(analysed_series());
+    add(field_series(scene));
     if (!scene.bodies.empty()) {
         add(recorded_body_series());
         add(derived_body_series());

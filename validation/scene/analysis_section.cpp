@@ -136,6 +136,7 @@ std::vector<std::string> series_names(const Scene& scene) {
     for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
     for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
     for (const AnalysedSeries& each : analysed_series()) names.push_back(each.info.name);
+    for (const FieldSeries& each : field_series(scene)) names.push_back(each.info.name);
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
         for (const BodySeries& each : recorded_body_series())
             names.push_back(body_series_name(each.info.name, body));

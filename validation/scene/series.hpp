@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "solver/probes/energy.hpp"
+#include "solver/setup/body_outline.hpp"
 #include "solver/simulation.hpp"
 
 namespace wetdeck {
@@ -28,6 +30,15 @@ struct FluidSeries {
     std::size_t samples_between = 1;
 };
 const std::vector<FluidSeries>& every_run_series();
+
+/// A series of the whole fluid that is taken when a field file is written: too costly for every sample.
+struct FieldSeries {
+    SeriesInfo info;
+    bool of_bodies;  ///< needs a body, else air
+    /// @param outlines  of the bodies, in their frames about the mass centre [m]
+    double (*value)(const Simulation&, std::span<const Outline> outlines);
+};
+const std::vector<FieldSeries>& all_field_series();
 
 /// A series of each body.
 struct BodySeries {
