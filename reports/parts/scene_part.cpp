@@ -62,7 +62,9 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
         "Simulations: solid lines, the finest spacing is the darkest. Exact solutions: dashed black "
         "lines. Measurements: black points, with bars or a band of one standard uncertainty where "
         "it is known. Other simulations: thin grey lines; agreement with them is no validation. "
-        "Errors are evaluated over the shaded interval."));
+        "Errors are evaluated over the shaded interval. Where a comparison is aligned on the peaks, each "
+        "curve "
+        "is shifted until its largest value is at zero; its note says by how much."));
     add_by_variant(page, runs,
                    [&](const Runs& some, std::size_t v) { return comparison_figures(scene, some, v); });
     page.add_figures(variant_figures(scene, runs));
@@ -80,9 +82,10 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
     page.add(peer_table(runs));
 }
 
-void add_provenance(Page& page, const Runs& runs) {
-    page.section(3, "Provenance", runs.front()->record.scene);
+void add_provenance(Page& page, const AnalysisSpec& scene, const Runs& runs) {
+    page.section(3, "Provenance", scene.scene);
     page.add(references_table(runs));
+    page.add(unused_references_table(scene));
     page.add("<h4>Runs</h4>\n" + provenance_table(runs));
     const RunRecord& record = finest_of_each(runs).front()->record;
     if (!record.parameters.empty()) {
@@ -151,7 +154,7 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     std::string limits;
     for (const std::string& limit : scene.limits) limits += "<li>" + escape(limit) + "</li>\n";
     page.add(limits.empty() ? paragraph("None stated.", "soft") : "<ul>\n" + limits + "</ul>\n");
-    add_provenance(page, runs);
+    add_provenance(page, scene, runs);
 }
 
 }  // namespace wetdeck::report

@@ -32,6 +32,8 @@ std::string conservation_table(const Runs& runs);
 std::string phase_defects_table(const Runs& runs);
 std::string cost_table(const Runs& runs, const AnalysisSpec& scene);
 std::string references_table(const Runs& runs);
+/// Files of reference curves that the scene has and does not compare with; empty without any.
+std::string unused_references_table(const AnalysisSpec& scene);
 std::string provenance_table(const Runs& runs);
 
 /// Over all scenes; empty without rows. The cheapest run within an error, and other codes.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "solver/probes/phase_defects.hpp"
+#include "validation/metrics/energy_budget.hpp"
 
 namespace wetdeck {
 namespace {
@@ -98,6 +99,11 @@ const std::vector<DerivedSeries>& derived_body_series() {
         {{"body_acceleration_y", "m/s^2", "of the mass centre, up"}, "body_velocity_y"},
         {{"body_force_y_filtered", "N/m", "force of the fluid, up"}, "body_impulse_y", true},
         {{"body_acceleration_y_filtered", "m/s^2", "of the mass centre, up"}, "body_velocity_y", true}};
+    return table;
+}
+
+const std::vector<AnalysedSeries>& analysed_series() {
+    static const std::vector<AnalysedSeries> table = {{{energy_loss_name, "-", energy_loss_description}}};
     return table;
 }
 

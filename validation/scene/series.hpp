@@ -55,6 +55,12 @@ struct DerivedSeries {
 };
 const std::vector<DerivedSeries>& derived_body_series();
 
+/// A series that the analysis makes of recorded ones of every run; run.h5 does not hold it.
+struct AnalysedSeries {
+    SeriesInfo info;
+};
+const std::vector<AnalysedSeries>& analysed_series();
+
 /// "body_force_y" for the first body, "body_force_y_2" for the second.
 std::string body_series_name(const std::string& name, std::size_t body);
 
