@@ -138,6 +138,14 @@ const std::vector<LineSlot> line_slots = {
      second, 1, contact_time},
     {"catamaran", "no-air", "whelan2004_pressure_p4", pressure_columns, "pressure_p4", 0, 0.002, 0.1, second,
      1, contact_time},
+    {"catamaran", "paper-air-model-2", "whelan2004_acceleration", acceleration_columns, filtered, 0, 0.002,
+     0.03, second, 1, contact_time},
+    {"catamaran", "paper-no-air", "whelan2004_acceleration", acceleration_columns, filtered, 0, 0.002, 0.1,
+     second, 1, contact_time},
+    {"catamaran", "paper-air-model-2", "whelan2004_pressure_p4", pressure_columns, "pressure_p4", 0, 0.002,
+     0.03, second, 1, contact_time},
+    {"catamaran", "paper-no-air", "whelan2004_pressure_p4", pressure_columns, "pressure_p4", 0, 0.002, 0.1,
+     second, 1, contact_time},
 };
 
 /// The series 3 + 40 t, and in the file the same, raised by `raised` times its range.
@@ -210,7 +218,8 @@ TEST_CASE("The force on the plate is compared from the peaks on, whatever the cl
     const char* columns = "t [s],F_plate [N],F [N/m]";
     CHECK(readme_promises("ma2016_force", columns));
     const samples::ScratchFolder references;
-    const Scene scene = shipped("flat_plate", GENERATE("two-phase", "single-phase", "paper"));
+    const Scene scene =
+        shipped("flat_plate", GENERATE("two-phase", "single-phase", "paper", "paper-single-phase"));
     const auto pulse = [](double t, double half) { return std::max(0.0, 8e4 * (1 - std::abs(t) / half)); };
     RunRecord record = empty_run(scene);
     record.series["body_force_y_filtered"] = sampled(
@@ -238,7 +247,8 @@ TEST_CASE("The pressure along the wedge's face is compared at three instants of 
     const char* columns = "z_over_Vt [-],Cp_t4.35ms [-],Cp_t15.8ms [-],Cp_t20.2ms [-]";
     CHECK(readme_promises("zhao1996_face_pressure", columns));
     const samples::ScratchFolder references;
-    const Scene scene = shipped("wedge", GENERATE("two-phase", "single-phase", "paper", "free-fall"));
+    const Scene scene =
+        shipped("wedge", GENERATE("two-phase", "single-phase", "paper", "paper-single-phase", "free-fall"));
     const bool whole_fall = scene.variant == "free-fall";
     const double drop = whole_fall ? 1.928 : 0.02, speed = whole_fall ? 0 : 6.118015;
     const double contact = (std::sqrt(speed * speed + 2 * 9.81 * drop) - speed) / 9.81;
