@@ -11,8 +11,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
-#include "validation/commands/references.hpp"
-#include "validation/metrics/reference.hpp"
+#include "validation/metrics/reference_check.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/exit_code.hpp"
 #include "validation/scene/outline_file.hpp"
@@ -43,11 +42,12 @@ Finding check_scene(const std::string& file) {
     const Scene scene = read_scene(file);
     Finding found;
     std::set<std::string> missing;
+    ReferenceShelf shelf(reference_directory() / scene.name(), scene.analysis.folder);
     std::vector<std::string> variants;
     for (const VariantInfo& variant : scene.variants) {
         variants.push_back(variant.name);
         const Scene varied = read_scene(file, variant.name);
-        missing.merge(check_references(varied));
+        missing.merge(check_references(varied.analysis, shelf));
         const auto add_once = [](std::vector<std::string>& all, const std::string& text) {
             if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
         };
