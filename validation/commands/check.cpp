@@ -82,28 +82,22 @@ Finding check_curve(const std::string& file) {
             {{"kind", name_of(reference.kind)}, {"columns", columns}}};
 }
 
-bool is_outline(const Outline& corners) {
+/// Why the corners are no outline, of a whole section or of half of a mirrored one; empty if they are.
+std::string outline_problem(const Outline& corners, bool half) {
     try {
-        check_outline(corners);
-        return true;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
-bool is_half_outline(const Outline& corners) {
-    try {
-        return is_outline(mirrored_section(corners));
-    } catch (const InputError&) {
-        return false;
+        check_outline(half ? mirrored_section(corners) : corners);
+        return {};
+    } catch (const InputError& error) {
+        return error.what();
     }
 }
 
 /// A file of corners is sound if they are an outline, or the half of one.
 Finding check_corners(const std::string& file) {
     const Outline corners = read_outline(file);
-    const bool whole = is_outline(corners), half = is_half_outline(corners);
-    if (!whole && !half) check_outline(corners);
+    const std::string problem = outline_problem(corners, false);
+    const bool half = outline_problem(corners, true).empty();
+    if (!problem.empty() && !half) throw InputError(fmt::format("{}: {}", file, problem));
     Box box{corners.front(), corners.front()};
     for (const Vec2& corner : corners) {
         box.low = box.low.cwiseMin(corner);
