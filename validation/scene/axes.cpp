@@ -25,6 +25,8 @@ Axes::Axes(const TomlTable& root, const Scene& scene) {
     }
     for (const Probe& probe : scene.probes) add_series(probe.series, probe.series.name);
     for (const FluidSeries& each : every_run_series()) add_series(each.info, each.info.name);
+    for (const FieldSeries& each : all_field_series()) add_series(each.info, each.info.name);
+    for (const AnalysedSeries& each : analysed_series()) add_series(each.info, each.info.name);
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
         for (const BodySeries& each : recorded_body_series())
             add_series(each.info, body_series_name(each.info.name, body));

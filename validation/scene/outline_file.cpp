@@ -72,14 +72,14 @@ class CornerReader {
     }
 
     void read_corner(std::string_view line, const std::vector<std::string_view>& cells, char separator) {
-        if (!outline_.empty() && separator != separator_)
-            lines_.fail(fmt::format("numbers between {}, between {} in the lines before",
-                                    separator_name(separator), separator_name(separator_)));
         std::vector<double> numbers;
         for (const std::string_view cell : cells)
             if (const auto number = number_in(cell); number && std::isfinite(*number))
                 numbers.push_back(*number);
         if (cells.size() != 2 || numbers.size() != 2) fail_on_numbers(line, cells);
+        if (!outline_.empty() && separator != separator_)
+            lines_.fail(fmt::format("numbers between {}, between {} in the lines before",
+                                    separator_name(separator), separator_name(separator_)));
         const Vec2 corner(factors_[0] * numbers[0], factors_[1] * numbers[1]);
         if (!outline_.empty() && corner == outline_.back())
             lines_.fail("is the same corner as the one before");
@@ -94,11 +94,13 @@ class CornerReader {
         for (const std::string_view cell : cells)
             if (hint.empty() && !number_in(cell)) hint = reading_hint(cell);
         const auto words = cells_of(line, ' ');
-        const bool commas =
-            cells.size() > 2 && std::all_of(words.begin(), words.end(), [](std::string_view word) {
-                return word.find(',') != std::string_view::npos && !word.ends_with(',');
-            });
+        const bool commas = words.size() == 2 && cells.size() > 2 &&
+                            std::all_of(words.begin(), words.end(), [](std::string_view word) {
+                                return word.find(',') != std::string_view::npos && !word.ends_with(',');
+                            });
         if (hint.empty() && (commas || cells.size() == 4)) hint = reading_hint("0,0");
+        if (hint.empty() && outline_.empty() && !begins_as_number(cells.front()))
+            hint = ", or names without a number; a title begins with '#'";
         lines_.fail("expected two numbers, x and y [m]" + hint);
     }
 

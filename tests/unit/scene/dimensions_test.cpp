@@ -39,7 +39,8 @@ std::string refusal(const std::string& scene, const std::string& titles) {
     try {
         const Scene read = read_scene(folder / "s.toml");
         ReferenceShelf shelf(folder / "none", read.analysis.folder);
-        CHECK(check_references(read.analysis, shelf) == std::set<std::string>{"nobody_front"});
+        const std::set<std::string> missing = check_references(read.analysis, shelf);
+        CHECK(missing == std::set<std::string>{"nobody_front"});
     } catch (const InputError& error) {
         CHECK_THAT(error.what(), Contains("s.toml:"));
         return error.what();
@@ -109,6 +110,15 @@ TEST_CASE("A comparison of different dimensions is refused with both named", "[d
                                  : "";
     CHECK_THAT(refusal(compared(series, more) + also, titles),
                Contains(also.empty() ? message : "scale 'length'"));
+}
+
+TEST_CASE("The abscissa of a profile is a length", "[dimensions]") {
+    const std::string scene =
+        compared("surface", "instant = 0.1\n") +
+        "\n[[probes]]\nname = \"surface\"\ntype = \"free_surface\"\nlow = 0.1\nhigh = 0.9\npoints = 5\n";
+    CHECK(refusal(scene, "x [cm],y [mm]").empty());
+    CHECK_THAT(refusal(scene, "x [s],y [m]"),
+               Contains("the abscissa of series 'surface' is in m, column 'x' in s"));
 }
 
 TEST_CASE("The unit of a quantity follows from its metric, series and scales", "[dimensions]") {

@@ -66,6 +66,8 @@ TEST_CASE("A file of corners that could be read in two ways, or in none, is refu
         {"0;0\n0,5\n1;1\n", "hull.csv:2: numbers between ',', between ';' in the lines before"},
         {"0.o,0\n1,0\n0,1\n", "hull.csv:1: " + two},
         {"keel,0\n1,0\n0,1\n0,2\n", "hull.csv:1: " + two},
+        {"Section 7\n1,0\n0,1\n0,2\n",
+         "hull.csv:1: " + two + ", or names without a number; a title begins with '#'"},
         {"1,0,0\n2,1,0\n3,0,1\n", "hull.csv:1: " + two},
         {"x,y\nhalf section\n0,0\n", "hull.csv:2: " + two},
         {"x,y\n[m],[m]\n[m],[m]\n0,0\n", "hull.csv:3: " + two},
