@@ -27,8 +27,22 @@ struct SeriesScaling {
     bool operator==(const SeriesScaling&) const = default;
 };
 
+/// What is known of the units along one axis of a series.
+struct AxisUnits {
+    std::string series;      ///< SI unit of the values, or of the abscissa; empty: unknown
+    std::string scale;       ///< name of the scale; empty: none
+    std::string scale_unit;  ///< of a scale that has one; empty: a plain number
+};
+
+/// Both axes, and where the scene file asks for them: "FILE:LINE: key '...'".
+struct SeriesUnits {
+    AxisUnits x, y;
+    std::string place;
+};
+
 /// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
 struct QuantitySpec : SeriesScaling {
+    SeriesUnits units;
     std::string name;
     const Metric* metric = nullptr;  ///< a row of metrics()
     std::string series;
@@ -47,6 +61,7 @@ struct QuantitySpec : SeriesScaling {
 
 /// One pair of curves: a series against a column of a reference file.
 struct ComparisonSpec : SeriesScaling {
+    SeriesUnits units;
     std::string title;
     std::string quantity;   ///< name of the series
     std::string reference;  ///< file stem in reference_data/SCENE/, or "analytic:NAME key=value ..."

@@ -7,9 +7,6 @@
 
 namespace wetdeck {
 
-/// Scales by name ("time", "length", "pressure"), as quantities and comparisons refer to them.
-using Scales = std::map<std::string, double>;
-
 /// Two numbers under one key.
 inline Vec2 point(const TomlTable& table, const std::string& key) {
     const std::vector<double> values = table.numbers(key, 2);
