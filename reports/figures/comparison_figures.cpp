@@ -29,7 +29,7 @@ AxesKey axes_of(const AnalysisSpec& scene, const ComparisonResult& c) {
                     spec.y_scale,
                     spec.x_offset + spec.instant.value_or(0),
                     spec.y_offset,
-                    "",
+                    spec.event ? spec.origin : "",
                     ""};
         }
     }

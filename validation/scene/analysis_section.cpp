@@ -9,18 +9,20 @@
 #include "validation/analytic/curves.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/scene/sections.hpp"
+#include "validation/scene/time_origins.hpp"
 
 namespace wetdeck {
 namespace {
 
 /// Scales and origins by name.
 struct Axes {
-    Scales scales, origins;
+    Scales scales;
+    std::map<std::string, TimeOrigin> origins;
 };
 
-/// A scale or an origin is a name from [scales] or [time_origins].
-double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {
-    if (!table.has(key)) return fallback;
+/// A scale is a name from [scales].
+double scale(const TomlTable& table, const std::string& key, const Scales& scales) {
+    if (!table.has(key)) return 1;
     std::vector<std::string> names;
     for (const auto& [name, value] : scales) names.push_back(name);
     return scales.at(table.choice(key, names));
@@ -50,7 +52,7 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     q.metric = &metric_named(table.choice("metric", metric_names()));
     q.series = table.text("series");
     q.x_scale = scale(table, "x_scale", axes.scales);
-    q.x_offset = scale(table, "x_origin", axes.origins, 0);
+    read_x_origin(table, axes.origins, q);
     q.y_scale = scale(table, "y_scale", axes.scales);
     q.instant = table.optional_number("instant");
     q.window = window(table);
@@ -81,7 +83,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
     c.x_scale = scale(table, "x_scale", axes.scales);
-    c.x_offset = scale(table, "x_origin", axes.origins, 0);
+    read_x_origin(table, axes.origins, c);
     c.y_scale = scale(table, "y_scale", axes.scales);
     c.y_offset = table.number_or("y_offset", 0);
     c.instant = table.optional_number("instant");
@@ -145,29 +147,13 @@ void read_source_figures(const TomlTable& root, AnalysisSpec& analysis) {
     }
 }
 
-Axes read_axes(const TomlTable& root) {
+Axes read_axes(const TomlTable& root, const Scene& scene) {
     Axes axes;
-    if (const std::optional<TomlTable> table = root.optional_table("time_origins")) {
-        for (const std::string& name : table->keys()) axes.origins[name] = table->number(name);
-    }
+    axes.origins = read_time_origins(root, scene);
     if (const std::optional<TomlTable> table = root.optional_table("scales")) {
         for (const std::string& name : table->keys()) axes.scales[name] = table->positive(name);
     }
     return axes;
-}
-
-/// Names of all series that a run of the scene holds.
-std::vector<std::string> series_names(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
-    for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
-    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-        for (const BodySeries& each : recorded_body_series())
-            names.push_back(body_series_name(each.info.name, body));
-        for (const DerivedSeries& each : derived_body_series())
-            names.push_back(body_series_name(each.info.name, body));
-    }
-    return names;
 }
 
 /// Those of this variant are kept; the names of all are returned.
@@ -224,13 +210,42 @@ void read_source_run(const TomlTable& root, AnalysisSpec& analysis) {
     table->finish();
 }
 
+/// Names of the time origins that the entries of a table use, in whatever variant.
+void add_origins(const TomlTable& root, const std::string& key, std::set<std::string>& used) {
+    for (const TomlTable& table : root.tables(key)) used.insert(table.text_or("x_origin", ""));
+}
+
+void read_origins(const TomlTable& root, const Axes& axes, Scene& scene) {
+    AnalysisSpec& analysis = scene.analysis;
+    analysis.origins = axes.origins;
+    analysis.contacts = geometric_contacts(scene);
+    analysis.sample_interval = scene.sample_interval;
+    std::set<std::string> used;
+    for (const char* key : {"quantities", "compare"}) add_origins(root, key, used);
+    analysis.stated_contacts = stated_contacts(analysis, used);
+}
+
 }  // namespace
+
+std::vector<std::string> series_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
+    for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+        for (const BodySeries& each : recorded_body_series())
+            names.push_back(body_series_name(each.info.name, body));
+        for (const DerivedSeries& each : derived_body_series())
+            names.push_back(body_series_name(each.info.name, body));
+    }
+    return names;
+}
 
 void read_analysis(const TomlTable& root, Scene& scene) {
     AnalysisSpec& analysis = scene.analysis;
-    const Axes axes = read_axes(root);
+    const Axes axes = read_axes(root, scene);
     const std::set<std::string> quantities = read_quantities(root, axes, scene);
     read_comparisons(root, axes, scene);
+    read_origins(root, axes, scene);
     read_deviations(root, analysis);
     read_source_figures(root, analysis);
     read_sensitivities(root, analysis);

@@ -16,6 +16,9 @@ inline Vec2 point(const TomlTable& table, const std::string& key) {
     return {values[0], values[1]};
 }
 
+/// Names of all series that a run of the scene holds, once its bodies and probes are read.
+std::vector<std::string> series_names(const Scene& scene);
+
 /// [water], [air], [model], [execution], gravity -> Model, Execution.
 void read_model(const TomlTable& root, Scene& scene);
 /// The keys `law` and `sound_speed` of [air] -> the air's sound speed.

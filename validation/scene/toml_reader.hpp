@@ -16,6 +16,10 @@ class TomlDocument;
 class TomlTable {
   public:
     bool has(const std::string& key) const;
+    /// Whether the entry is a number, a text, or a table.
+    bool is_number(const std::string& key) const;
+    bool is_text(const std::string& key) const;
+    bool is_table(const std::string& key) const;
 
     double number(const std::string& key) const;
     double number_or(const std::string& key, double fallback) const;
@@ -42,6 +46,8 @@ class TomlTable {
     void finish() const;
     /// Throws InputError "file:line: key 'a.b': message" about an entry of this table.
     [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+    /// The text of that error, for what is doubtful only.
+    std::string about(const std::string& key, const std::string& message) const;
     /// Throws for a key that is not there; an unknown one that is its slip of the pen is named instead.
     [[noreturn]] void fail_missing(const std::string& key, const std::string& expected) const;
 
