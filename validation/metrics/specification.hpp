@@ -41,9 +41,9 @@ struct SeriesScaling {
     double y_scale = 1;   ///< SI units per unit of the scaled value
     double y_offset =
         0;  ///< subtracted from the scaled value (for example 2, where a front is counted from the gate)
-    std::string origin;                ///< name of the time origin, empty if there is none
-    std::optional<OriginEvent> event;  ///< of the time origin, instead of x_offset
-    std::optional<double> instant;     ///< of the row of a profile, on the clock of the run [s]
+    std::optional<double> instant = {};     ///< of the row of a profile, on the clock of the run [s]
+    std::string origin = {};                ///< name of the time origin, empty if there is none
+    std::optional<OriginEvent> event = {};  ///< of the time origin, instead of x_offset
 
     bool operator==(const SeriesScaling&) const = default;
 };
