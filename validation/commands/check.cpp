@@ -13,6 +13,7 @@
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/metrics/reference_use.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/exit_code.hpp"
 #include "validation/scene/outline_file.hpp"
@@ -62,9 +63,11 @@ Finding check_scene(const std::string& file) {
         found.notes.push_back(fmt::format(
             "no file {}.csv beside the scene or in reference_data/: its comparison will be left out", name));
     std::vector<std::string> variants;
+    std::vector<AnalysisSpec> analyses;
     for (const VariantInfo& variant : scene.variants) {
         variants.push_back(variant.name);
         const Scene varied = read_scene(file, variant.name);
+        analyses.push_back(varied.analysis);
         const auto add_once = [](std::vector<std::string>& all, const std::string& text) {
             if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
         };
@@ -79,10 +82,17 @@ Finding check_scene(const std::string& file) {
             }
         }
     }
+    const std::set<std::string> unmentioned =
+        unmentioned_references(analyses, reference_directory() / scene.name());
+    for (const std::string& name : unmentioned)
+        found.notes.push_back(fmt::format(
+            "reference_data/{}/{}.csv is neither compared with nor listed in [[unused_references]]",
+            scene.name(), name));
     found.sentence = fmt::format("scene '{}' with {} variants", scene.name(), variants.size());
     found.details = {{"scene", scene.name()},
                      {"variants", variants},
                      {"missing_references", missing},
+                     {"unmentioned_references", unmentioned},
                      {"doubts", found.doubts}};
     return found;
 }

@@ -11,9 +11,12 @@
 #include "validation/metrics/conservation.hpp"
 #include "validation/metrics/convergence.hpp"
 #include "validation/metrics/curve_convergence.hpp"
+#include "validation/metrics/energy_budget.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/metrics/reference_use.hpp"
 #include "validation/metrics/resample.hpp"
 #include "validation/metrics/speed_error.hpp"
+#include "validation/metrics/statements.hpp"
 #include "validation/metrics/statistics.hpp"
 #include "validation/metrics/time_origin.hpp"
 #include "validation/metrics/validation.hpp"
@@ -97,7 +100,7 @@ void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
         std::map<std::string, std::map<double, Curve>> variants;
         for (const RunSummary& run : summary.runs) {
             if (!applies(spec, run.record) || !counts(run)) continue;
-            SeriesCurve series = series_curve(run.record, comparison.quantity, comparison);
+            SeriesCurve series = compared_series(comparison, run.record);
             if (series.problem.empty())
                 variants[run.record.variant][run.record.particle_spacing] = std::move(series.curve);
         }
@@ -161,7 +164,9 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
     for (RunSummary& run : summary.runs) {
         run.energy_error = energy_error(run.record);
         run.momentum_error = momentum_error(run.record);
+        add_energy_loss(run.record);
     }
+    for (SensitivityRun& varied : sensitivity_runs) add_energy_loss(varied.run.record);
     for (const AnalysisSpec& spec : scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         for (RunSummary& run : summary.runs) {
@@ -180,10 +185,12 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
         append(summary.scatter, scatter_points(spec, summary.runs));
     }
-    for (const AnalysisSpec& spec : summary.scenes) {
+    for (AnalysisSpec& spec : summary.scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
+        find_source_curves(spec, reference_directory / spec.scene);
         append(summary.cheapest, cheapest_rows(summary.runs, spec));
         append(summary.peers, peer_points(spec, references));
+        append(summary.statements, judge_statements(spec, summary.runs));
         if (spec.error_quantity.empty()) continue;
         append(summary.speed_error, speed_error_points(summary.runs, spec, summary.convergence));
     }

@@ -5,10 +5,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <set>
 
 #include "solver/core/errors.hpp"
 #include "validation/analytic/curves.hpp"
+#include "validation/metrics/reference_use.hpp"
 #include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
@@ -60,12 +60,8 @@ const Reference* ReferenceShelf::find(const std::string& stem) {
 }
 
 std::string reference_hashes(const AnalysisSpec& scene, const std::filesystem::path& directory) {
-    std::set<std::string> stems;
-    for (const QuantitySpec& quantity : scene.quantities) stems.insert(quantity.reference);
-    for (const ComparisonSpec& comparison : scene.comparisons) stems.insert(comparison.reference);
-    stems.erase("");
     std::string out;
-    for (const std::string& stem : stems) {
+    for (const std::string& stem : references_in_use(scene)) {
         const std::string hash = file_hash(reference_file(stem, scene.folder, directory));
         if (!hash.empty()) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", stem, hash);
     }

@@ -77,6 +77,13 @@ struct ComparisonSpec : SeriesScaling {
     double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
     std::string x_label;
     std::string y_label;
+    bool align_peaks = false;  ///< each curve is shifted until its largest value is at zero
+};
+
+/// A reference file of the scene that no comparison uses.
+struct UnusedReference {
+    std::string file;  ///< stem in reference_data/SCENE/
+    std::string reason;
 };
 
 /// A value in the source, what the scene uses instead, and why.
@@ -102,13 +109,41 @@ struct SourceRun {
     std::string conditions;  ///< its spacing, its step, its time, and where they are stated
 };
 
+/// A measured or computed curve of others that a figure of the source shows.
+struct SourceCurve {
+    std::string reference;   ///< file stem in reference_data/SCENE/
+    bool available = false;  ///< the file exists; the analysis finds out
+};
+
 /// A figure of a source of the scene, and where the report shows the same.
 struct SourceFigure {
     std::string number;  ///< as printed in the source, "3" or "12a"
     std::string shows;
     std::vector<std::string> places;  ///< anchors of the report; those that exist are linked
     std::string remark;
-    std::string source;  ///< citation
+    std::string source;                    ///< citation
+    std::vector<SourceCurve> curves = {};  ///< of others, beside the source's own
+};
+
+/// A statement in the text of the scene's source that relates two runs, or two quantities of one run.
+struct SourceStatement {
+    enum class Measure { difference, ratio, curve_difference };
+    std::string says;                   ///< the statement in own words
+    std::vector<std::string> variants;  ///< it is judged for each of them ...
+    std::vector<std::string> against;   ///< ... against the variant in the same place; empty: the same run
+    Measure measure = Measure::difference;
+    std::string quantity;          ///< of the variant; for a curve difference the name of a series
+    std::string against_quantity;  ///< the same unless the statement relates two quantities
+    std::optional<Window> window;  ///< of a curve difference, on the clock of the run [s]
+    double low = 0, high = 0;      ///< the measure of the statement lies between them; may be infinite
+};
+
+/// Variants that the report shows beside each other: their fields at one time, or one series of all.
+struct SideBySide {
+    std::string title;
+    std::vector<std::string> variants;
+    std::optional<double> time;  ///< of the fields, on the clock of the run [s]
+    std::string series;          ///< drawn for all variants; empty: none
 };
 
 /// The part of a scene that analysis and report need.
@@ -127,6 +162,9 @@ struct AnalysisSpec {
     std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
     std::vector<SourceFigure> source_figures;
+    std::vector<SourceStatement> statements;
+    std::vector<SideBySide> side_by_side;
+    std::vector<UnusedReference> unused_references;
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::optional<SourceRun> source_run;
     std::string error_quantity;  ///< the quantity whose error the speed-error diagram shows

@@ -202,6 +202,22 @@ inline bool counts(const RunSummary& run) {
     return run.record.status == RunStatus::ok && !run.other_setup;
 }
 
+/// A statement of a scene's source against the runs; see statements.hpp.
+struct StatementResult {
+    std::string scene, says;
+    std::string variant, against;  ///< against: variant, quantity, or the value that the source states
+    std::string measure = {};           ///< in words
+    double dx = 0;                 ///< of the runs [m]
+    std::optional<double> value = {};
+    std::string unit = {};
+    double low = 0, high = 0;  ///< the statement holds between them
+    std::string note = {};          ///< why there is no value
+
+    std::optional<bool> holds() const {
+        return value ? std::optional(low <= *value && *value <= high) : std::nullopt;
+    }
+};
+
 /// Whether a specification applies to a run.
 inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {
     return record.scene == spec.scene && (spec.variant.empty() || record.variant == spec.variant);
@@ -214,6 +230,7 @@ struct Summary {
     std::vector<ConvergenceRow> convergence;
     std::vector<CurveConvergenceRow> curve_convergence;
     std::vector<ValidationRow> validation;
+    std::vector<StatementResult> statements;
     std::vector<ScatterPoint> scatter;
     std::vector<ClassStatistics> statistics;
     std::vector<SpeedErrorPoint> speed_error;

@@ -28,11 +28,7 @@ std::vector<double> mean_slopes(const Curve& curve, double width) {
 }  // namespace
 
 Recorders::Recorders(const Scene& scene, double particle_spacing)
-    : probes_(scene.probes), level_(scene.initial.surface) {
-    for (const BodySpec& spec : scene.bodies) {
-        outlines_.emplace_back();
-        for (const Vec2& corner : spec.outline) outlines_.back().push_back(spec.body.local(corner));
-    }
+    : probes_(scene.probes), outlines_(local_outlines(scene)), level_(scene.initial.surface) {
     for (const Probe& probe : probes_) {
         if (probe.check) probe.check(particle_spacing);
         list_.push_back(probe.series);

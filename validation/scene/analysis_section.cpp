@@ -75,6 +75,18 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     return q;
 }
 
+bool aligns_peaks(const TomlTable& table) {
+    if (!table.has("align")) return false;
+    table.choice("align", {"peak"});
+    for (const char* key : {"x_origin", "instant"}) {
+        if (table.has(key))
+            table.fail(key,
+                       "expected none beside 'align = \"peak\"', which puts the origin at the largest "
+                       "value of each curve over time");
+    }
+    return true;
+}
+
 ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     ComparisonSpec c;
     c.title = table.text("title");
@@ -89,6 +101,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     c.instant = table.optional_number("instant");
     c.window = window(table);
     c.tolerance = table.positive("tolerance");
+    c.align_peaks = aligns_peaks(table);
     c.x_label = table.text_or("x_label", c.x_column);
     c.y_label = table.text_or("y_label", c.y_column);
     table.finish();
@@ -106,45 +119,6 @@ bool of_this_variant(const TomlTable& table, const Scene& scene) {
             table.fail("variants", fmt::format("'{}' is not a variant of this scene", name));
     }
     return std::find(named.begin(), named.end(), scene.variant) != named.end();
-}
-
-bool is_anchor(const std::string& text) {
-    return !text.empty() &&
-           text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
-}
-
-SourceFigure read_source_figure(const TomlTable& table, const std::string& source_of_scene) {
-    SourceFigure figure;
-    figure.number = table.text("number");
-    if (figure.number.empty()) table.fail("number", "expected the number of a figure");
-    figure.shows = table.text("shows");
-    figure.places = table.texts("places");
-    figure.remark = table.text_or("remark", "");
-    figure.source = table.text_or("source", source_of_scene);
-    for (const std::string& place : figure.places) {
-        if (!is_anchor(place))
-            table.fail("places", fmt::format("'{}' is no anchor of the report, expected lower-case letters, "
-                                             "digits and hyphens",
-                                             place));
-    }
-    if (figure.places.empty() && figure.remark.empty()) {
-        const char* expected =
-            "expected a list of anchors of the report, or a remark that says why there is no counterpart";
-        if (table.has("places")) table.fail("places", expected);
-        table.fail_missing("places", expected);
-    }
-    table.finish();
-    return figure;
-}
-
-void read_source_figures(const TomlTable& root, AnalysisSpec& analysis) {
-    std::set<std::pair<std::string, std::string>> known;
-    for (const TomlTable& table : root.tables("source_figures")) {
-        SourceFigure figure = read_source_figure(table, analysis.source);
-        if (!known.emplace(figure.source, figure.number).second)
-            table.fail("number", fmt::format("'{}' is used twice for one source", figure.number));
-        analysis.source_figures.push_back(std::move(figure));
-    }
 }
 
 Axes read_axes(const TomlTable& root, const Scene& scene) {
@@ -231,6 +205,8 @@ std::vector<std::string> series_names(const Scene& scene) {
     std::vector<std::string> names;
     for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
     for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
+    for (const FieldSeries& each : all_field_series()) names.push_back(each.info.name);
+    for (const AnalysedSeries& each : analysed_series()) names.push_back(each.info.name);
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
         for (const BodySeries& each : recorded_body_series())
             names.push_back(body_series_name(each.info.name, body));
@@ -246,8 +222,9 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     const std::set<std::string> quantities = read_quantities(root, axes, scene);
     read_comparisons(root, axes, scene);
     read_origins(root, axes, scene);
+    read_statements(root, series_names(scene), {quantities.begin(), quantities.end()}, scene);
     read_deviations(root, analysis);
-    read_source_figures(root, analysis);
+    read_sources(root, analysis);
     read_sensitivities(root, analysis);
     read_source_run(root, analysis);
     analysis.limits = root.texts("limits");

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "solver/probes/front.hpp"
+#include "solver/probes/phase_defects.hpp"
+#include "validation/metrics/energy_budget.hpp"
 
 namespace wetdeck {
 namespace {
@@ -59,6 +61,36 @@ const std::vector<FluidSeries>& every_run_series() {
     return table;
 }
 
+const std::vector<FieldSeries>& all_field_series() {
+    using Outlines = std::span<const Outline>;
+    static const std::vector<FieldSeries> table = {
+        {{"void_area", "m^2",
+          "area of the tank outside bodies farther than one spacing from every particle; at the field files"},
+         false,
+         [](State s, Outlines o) { return void_area(s, o); }},
+        {{"water_in_air", "-",
+          "water particles that have less than a quarter water among their neighbours within two spacings; "
+          "at "
+          "the field files"},
+         false,
+         [](State s, Outlines) { return static_cast<double>(mixed_particles(s).water_in_air); }},
+        {{"air_in_water", "-",
+          "air particles that have less than a quarter air among their neighbours within two spacings; at "
+          "the "
+          "field files"},
+         false,
+         [](State s, Outlines) { return static_cast<double>(mixed_particles(s).air_in_water); }},
+        {{"enclosed_air", "m^2",
+          "volume a metre of span of the air that is cut off from the largest body of air; at the field "
+          "files"},
+         false,
+         [](State s, Outlines) { return enclosed_air(s); }},
+        {{"particles_in_bodies", "-", "fluid particles whose centres lie inside a body; at the field files"},
+         true,
+         [](State s, Outlines o) { return static_cast<double>(particles_in_bodies(s, o)); }}};
+    return table;
+}
+
 const std::vector<BodySeries>& recorded_body_series() {
     static const std::vector<BodySeries> table = {
         {{"body_x", "m", "mass centre"}, [](Body b) { return b.body.position.x(); }},
@@ -93,6 +125,11 @@ const std::vector<DerivedSeries>& derived_body_series() {
         {{"body_acceleration_y", "m/s^2", "of the mass centre, up"}, "body_velocity_y"},
         {{"body_force_y_filtered", "N/m", "force of the fluid, up"}, "body_impulse_y", true},
         {{"body_acceleration_y_filtered", "m/s^2", "of the mass centre, up"}, "body_velocity_y", true}};
+    return table;
+}
+
+const std::vector<AnalysedSeries>& analysed_series() {
+    static const std::vector<AnalysedSeries> table = {{{energy_loss_name, "-", energy_loss_description}}};
     return table;
 }
 

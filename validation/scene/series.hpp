@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/probes/energy.hpp"
+#include "solver/setup/body_outline.hpp"
 #include "solver/simulation.hpp"
 
 namespace wetdeck {
@@ -29,6 +30,15 @@ struct FluidSeries {
     std::size_t samples_between = 1;
 };
 const std::vector<FluidSeries>& every_run_series();
+
+/// A series of the whole fluid that is taken when a field file is written: too costly for every sample.
+struct FieldSeries {
+    SeriesInfo info;
+    bool of_bodies;  ///< needs a body, else air
+    /// @param outlines  of the bodies, in their frames about the mass centre [m]
+    double (*value)(const Simulation&, std::span<const Outline> outlines);
+};
+const std::vector<FieldSeries>& all_field_series();
 
 /// A body at one time of a run.
 struct BodyNow {
@@ -52,6 +62,12 @@ struct DerivedSeries {
     bool filtered = false;  ///< as a moving mean of the scene's width
 };
 const std::vector<DerivedSeries>& derived_body_series();
+
+/// A series that the analysis makes of recorded ones of every run; run.h5 does not hold it.
+struct AnalysedSeries {
+    SeriesInfo info;
+};
+const std::vector<AnalysedSeries>& analysed_series();
 
 /// "body_force_y" for the first body, "body_force_y_2" for the second.
 std::string body_series_name(const std::string& name, std::size_t body);
