@@ -67,7 +67,8 @@ std::map<std::string, TimeOrigin> read_time_origins(const TomlTable& root, const
     const std::optional<TomlTable> table = root.optional_table("time_origins");
     if (!table) return origins;
     for (const std::string& name : table->keys()) {
-        if (of_bodies.contains(name))
+        const bool itself = table->is_text(name) && table->text(name) == name;
+        if (of_bodies.contains(name) && !itself)
             table->fail(name, "is the name of a contact that each run finds, expected another name");
         origins[name] = read_one(*table, name, scene, of_bodies);
     }

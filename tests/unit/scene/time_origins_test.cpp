@@ -50,6 +50,7 @@ TEST_CASE("an origin is a number, a contact of a body or the crossing of a level
         {"contact = \"geometric_contact_2\"", "contact", "body_clearance_2", 0},
         {"contact = \"first_contact\"", "contact", "body_water_gap", 0},
         {"", "first_contact", "body_water_gap", 0},
+        {"first_contact = \"first_contact\"", "first_contact", "body_water_gap", 0},
         {"", "first_contact_2", "body_water_gap_2", 0},
         {"", "geometric_contact", "body_clearance", 0},
         {"down = { series = \"body_y\", crosses = 0.25 }", "down", "body_y", 0.25},
