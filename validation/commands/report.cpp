@@ -30,6 +30,7 @@ int report_command(const ReportOptions& options) {
 }  // namespace
 
 int print_verdict(const Summary& summary, const std::filesystem::path& directory) {
+    for (const std::string& curve : unusable_curves(summary)) fmt::print(stderr, "note: {}\n", curve);
     fmt::print("report: {}\n", (directory / "index.html").string());
     std::fflush(stdout);
     for (const OriginDoubt& doubt : summary.doubts)

@@ -250,6 +250,14 @@ Summary make_report(const fs::path& directory) {
     return summary;
 }
 
+std::vector<std::string> unusable_curves(const Summary& summary) {
+    std::set<std::string> curves;
+    for (const RunSummary& run : summary.runs)
+        for (const ComparisonResult& c : run.comparisons)
+            if (c.unusable) curves.insert(fmt::format("comparison '{}' is left out: {}", c.title, c.note));
+    return {curves.begin(), curves.end()};
+}
+
 std::vector<std::string> outside_tolerance(const Summary& summary) {
     std::vector<std::string> outside;
     for (const VerificationProblem& problem : summary.verification) {

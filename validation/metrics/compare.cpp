@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "validation/metrics/curve_metrics.hpp"
+#include "validation/metrics/reference_curve.hpp"
 #include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
@@ -88,6 +89,22 @@ void compute_metrics(ComparisonResult& result, const Window& window) {
     if (m > 0 && m + 1 < measured.x.size()) result.time_error = simulated.x[s] - measured.x[m];
 }
 
+void take_reference(ComparisonResult& result, const ComparisonSpec& spec, ReferenceShelf& references) {
+    ReferenceCurve found = reference_curve(request_of(spec), references);
+    result.available = found.problem.empty();
+    result.unusable = found.unusable;
+    add_note(result, found.problem);
+    if (!result.available) return;
+    result.measured = std::move(found.curve);
+    result.kind = found.reference->kind;
+    result.citation = found.reference->citation;
+    result.reference_uncertainty = found.reference->u_data;
+    result.reference_hash = found.reference->hash;
+    if (found.empty_cells > 0)
+        add_note(result,
+                 fmt::format("{} empty cells of column '{}' left out", found.empty_cells, spec.y_column));
+}
+
 }  // namespace
 
 SeriesCurve compared_series(const ComparisonSpec& spec, const RunRecord& record) {
@@ -113,20 +130,8 @@ ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, Re
     result.simulated = std::move(series.curve);
     add_note(result, series.problem);
 
-    const Reference* reference = references.find(spec.reference);
-    if (reference == nullptr) {
-        result.available = false;
-        add_note(result, curve_not_available(spec.reference));
-        return result;
-    }
-    result.kind = reference->kind;
-    result.citation = reference->citation;
-    result.reference_uncertainty = reference->u_data;
-    result.reference_hash = reference->hash;
-    result.measured = scaled_reference(*reference, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
-    if (const auto empty = find_column(*reference, spec.y_column).empty_cells; empty > 0) {
-        add_note(result, fmt::format("{} empty cells of column '{}' left out", empty, spec.y_column));
-    }
+    take_reference(result, spec, references);
+    if (!result.available) return result;
     if (!series.problem.empty()) return result;
     if (spec.align_peaks && !align_reference(result, series.origin)) return result;
     if (const auto window = comparison_window(result, record)) compute_metrics(result, *window);

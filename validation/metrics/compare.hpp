@@ -25,9 +25,9 @@ SeriesCurve compared_series(const ComparisonSpec& spec, const RunRecord& record)
 /// and the features of both curves and their agreement (curve_metrics.hpp). There are no metrics, `within` is
 /// false, and a note says why, where the series is missing or not sound, where it covers less than
 /// `required_coverage` of the part of the window that the reference spans, and where a run that stopped early
-/// is compared without a window. A reference file that does not exist gives `available` = false. A note also
-/// names a window of which the reference itself spans less than `required_coverage`. Throws DataError for a
-/// reference file that is not sound.
+/// is compared without a window. A reference file that does not exist, is not sound or holds another
+/// dimension than the series gives `available` = false and a note. A note also names a window of which the
+/// reference itself spans less than `required_coverage`.
 ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, ReferenceShelf& references);
 
 }  // namespace wetdeck

@@ -8,6 +8,7 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/analytic/curves.hpp"
+#include "validation/metrics/reference_curve.hpp"
 #include "validation/metrics/reference_use.hpp"
 #include "validation/metrics/resample.hpp"
 
@@ -26,10 +27,9 @@ MetricResult evaluate(const QuantitySpec& spec, const RunRecord& record, Referen
                             curve.x.back(), window.begin, window.end)};
     Curve measured;
     if (needs.reference) {
-        const Reference* reference = references.find(spec.reference);
-        if (reference == nullptr) return {{}, curve_not_available(spec.reference)};
-        measured = scaled_reference(*reference, reference->columns.front().name, spec.y_column, spec.x_scale,
-                                    spec.y_scale);
+        ReferenceCurve found = reference_curve(request_of(spec), references);
+        if (!found.problem.empty()) return {{}, found.problem};
+        measured = std::move(found.curve);
         if (!covers(measured, window))
             return {{}, fmt::format("reference '{}' does not cover the window", spec.reference)};
     }
@@ -44,19 +44,27 @@ std::filesystem::path reference_file(const std::string& stem, const std::filesys
     return !own.empty() && std::filesystem::exists(own / name) ? own / name : directory / name;
 }
 
+std::optional<Reference> ReferenceShelf::read(const std::string& stem) const {
+    if (is_analytic(stem)) return parse_reference(stem, analytic_reference(stem));
+    const std::filesystem::path path = reference_file(stem, own_, directory_);
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    return load_reference(path);
+}
+
 const Reference* ReferenceShelf::find(const std::string& stem) {
     auto found = files_.find(stem);
     if (found == files_.end()) {
-        const std::filesystem::path path = reference_file(stem, own_, directory_);
-        std::optional<Reference> reference;
-        if (is_analytic(stem)) {
-            reference = parse_reference(stem, analytic_reference(stem));
-        } else if (std::filesystem::exists(path)) {
-            reference = load_reference(path);
+        Entry entry;
+        try {
+            entry.reference = read(stem);
+        } catch (const DataError& error) {
+            entry.problem = error.what();
         }
-        found = files_.emplace(stem, std::move(reference)).first;
+        found = files_.emplace(stem, std::move(entry)).first;
     }
-    return found->second ? &*found->second : nullptr;
+    const Entry& entry = found->second;
+    if (!entry.problem.empty()) throw DataError(entry.problem);
+    return entry.reference ? &*entry.reference : nullptr;
 }
 
 std::string reference_hashes(const AnalysisSpec& scene, const std::filesystem::path& directory) {

@@ -29,8 +29,9 @@ struct OriginEvent {
 
 /// A number that the scene states, or an event.
 struct TimeOrigin {
-    double typed = 0;  ///< without an event [s]
+    double typed = 0;  ///< without an event [s, or m along a profile]
     std::optional<OriginEvent> event;
+    std::string unit = {};  ///< that the scene states, or empty
 };
 
 /// How a series becomes a curve: ((time - x_offset) / x_scale, value / y_scale - y_offset); of a profile, the
@@ -48,8 +49,22 @@ struct SeriesScaling {
     bool operator==(const SeriesScaling&) const = default;
 };
 
+/// What is known of the units along one axis of a series.
+struct AxisUnits {
+    std::string series;      ///< SI unit of the values, or of the abscissa; empty: unknown
+    std::string scale;       ///< name of the scale; empty: none
+    std::string scale_unit;  ///< of a scale that has one; empty: a plain number
+};
+
+/// Both axes, and where the scene file asks for them: "FILE:LINE: key '...'".
+struct SeriesUnits {
+    AxisUnits x, y;
+    std::string place;
+};
+
 /// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
 struct QuantitySpec : SeriesScaling {
+    SeriesUnits units;
     std::string name;
     const Metric* metric = nullptr;  ///< a row of metrics()
     std::string series;
@@ -68,6 +83,7 @@ struct QuantitySpec : SeriesScaling {
 
 /// One pair of curves: a series against a column of a reference file.
 struct ComparisonSpec : SeriesScaling {
+    SeriesUnits units;
     std::string title;
     std::string quantity;   ///< name of the series
     std::string reference;  ///< file stem in reference_data/SCENE/, or "analytic:NAME key=value ..."

@@ -51,8 +51,9 @@ struct ComparisonResult {
     double tolerance = 0;
     bool within =
         false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
-    bool available = true;  ///< false: no such reference file, or a run that was asked to stop before the
+    bool available = true;  ///< false: no usable reference file, or a run that was asked to stop before the
                             ///< window; neither a success nor a failure
+    bool unusable = false;  ///< why not `available`: the reference is there, but not sound or not comparable
     std::string note;
     std::string x_label;
     std::string y_label;

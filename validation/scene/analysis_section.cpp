@@ -7,26 +7,14 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/analytic/curves.hpp"
+#include "validation/metrics/dimensions.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/scene/axes.hpp"
 #include "validation/scene/sections.hpp"
 #include "validation/scene/time_origins.hpp"
 
 namespace wetdeck {
 namespace {
-
-/// Scales and origins by name.
-struct Axes {
-    Scales scales;
-    std::map<std::string, TimeOrigin> origins;
-};
-
-/// A scale is a name from [scales].
-double scale(const TomlTable& table, const std::string& key, const Scales& scales) {
-    if (!table.has(key)) return 1;
-    std::vector<std::string> names;
-    for (const auto& [name, value] : scales) names.push_back(name);
-    return scales.at(table.choice(key, names));
-}
 
 std::optional<Window> window(const TomlTable& table) {
     if (!table.has("window")) return std::nullopt;
@@ -46,20 +34,28 @@ std::string read_reference(const TomlTable& table, std::string reference) {
     return reference;
 }
 
+std::string read_unit(const TomlTable& table, const QuantitySpec& q) {
+    std::optional<std::string> stated;
+    if (table.has("unit")) stated = table.text("unit");
+    try {
+        return quantity_unit(q, stated);
+    } catch (const InputError& error) {
+        table.fail("unit", error.what());
+    }
+}
+
 QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     QuantitySpec q;
     q.name = table.text("name");
     q.metric = &metric_named(table.choice("metric", metric_names()));
     q.series = table.text("series");
-    q.x_scale = scale(table, "x_scale", axes.scales);
-    read_x_origin(table, axes.origins, q);
-    q.y_scale = scale(table, "y_scale", axes.scales);
+    q.units = axes.read(table, q.series, q);
     q.instant = table.optional_number("instant");
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
     q.reference = read_reference(table, table.text_or("reference", ""));
     q.y_column = table.text_or("y_column", "");
-    q.unit = table.text_or("unit", "-");
+    q.unit = read_unit(table, q);
     q.expected = table.optional_number("expected");
     q.tolerance = table.optional_number("tolerance");
     q.expected_source = table.text_or("expected_source", "");
@@ -94,9 +90,7 @@ ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     c.reference = read_reference(table, table.text("reference"));
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
-    c.x_scale = scale(table, "x_scale", axes.scales);
-    read_x_origin(table, axes.origins, c);
-    c.y_scale = scale(table, "y_scale", axes.scales);
+    c.units = axes.read(table, c.quantity, c);
     c.y_offset = table.number_or("y_offset", 0);
     c.instant = table.optional_number("instant");
     c.window = window(table);
@@ -121,21 +115,12 @@ bool of_this_variant(const TomlTable& table, const Scene& scene) {
     return std::find(named.begin(), named.end(), scene.variant) != named.end();
 }
 
-Axes read_axes(const TomlTable& root, const Scene& scene) {
-    Axes axes;
-    axes.origins = read_time_origins(root, scene);
-    if (const std::optional<TomlTable> table = root.optional_table("scales")) {
-        for (const std::string& name : table->keys()) axes.scales[name] = table->positive(name);
-    }
-    return axes;
-}
-
 /// Those of this variant are kept; the names of all are returned.
 std::set<std::string> read_quantities(const TomlTable& root, const Axes& axes, Scene& scene) {
     std::set<std::string> names;
     std::vector<QuantitySpec>& quantities = scene.analysis.quantities;
     for (const TomlTable& table : root.tables("quantities")) {
-        table.choice("series", series_names(scene));
+        table.choice("series", axes.series_names());
         const bool wanted = of_this_variant(table, scene);
         const QuantitySpec quantity = read_quantity(table, axes);
         names.insert(quantity.name);
@@ -150,7 +135,7 @@ std::set<std::string> read_quantities(const TomlTable& root, const Axes& axes, S
 
 void read_comparisons(const TomlTable& root, const Axes& axes, Scene& scene) {
     for (const TomlTable& table : root.tables("compare")) {
-        table.choice("quantity", series_names(scene));
+        table.choice("quantity", axes.series_names());
         const bool wanted = of_this_variant(table, scene);
         const ComparisonSpec comparison = read_comparison(table, axes);
         if (wanted) scene.analysis.comparisons.push_back(comparison);
@@ -191,7 +176,7 @@ void add_origins(const TomlTable& root, const std::string& key, std::set<std::st
 
 void read_origins(const TomlTable& root, const Axes& axes, Scene& scene) {
     AnalysisSpec& analysis = scene.analysis;
-    analysis.origins = axes.origins;
+    analysis.origins = axes.origins();
     analysis.contacts = geometric_contacts(scene);
     analysis.sample_interval = scene.sample_interval;
     std::set<std::string> used;
@@ -201,28 +186,13 @@ void read_origins(const TomlTable& root, const Axes& axes, Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> series_names(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
-    for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
-    for (const FieldSeries& each : all_field_series()) names.push_back(each.info.name);
-    for (const AnalysedSeries& each : analysed_series()) names.push_back(each.info.name);
-    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-        for (const BodySeries& each : recorded_body_series())
-            names.push_back(body_series_name(each.info.name, body));
-        for (const DerivedSeries& each : derived_body_series())
-            names.push_back(body_series_name(each.info.name, body));
-    }
-    return names;
-}
-
 void read_analysis(const TomlTable& root, Scene& scene) {
     AnalysisSpec& analysis = scene.analysis;
-    const Axes axes = read_axes(root, scene);
+    const Axes axes(root, scene);
     const std::set<std::string> quantities = read_quantities(root, axes, scene);
     read_comparisons(root, axes, scene);
     read_origins(root, axes, scene);
-    read_statements(root, series_names(scene), {quantities.begin(), quantities.end()}, scene);
+    read_statements(root, axes.series_names(), {quantities.begin(), quantities.end()}, scene);
     read_deviations(root, analysis);
     read_sources(root, analysis);
     read_sensitivities(root, analysis);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "solver/core/errors.hpp"
+#include "validation/scene/outline_file.hpp"
 #include "validation/scene/sections.hpp"
 
 namespace wetdeck {
@@ -30,11 +31,11 @@ Outline read_corners(const TomlTable& table) {
     for (const std::vector<double>& corner : table.number_rows("outline", 2))
         corners.emplace_back(corner[0], corner[1]);
     if (!table.boolean_or("mirrored", false)) return corners;
-    for (std::size_t k = corners.size(); k-- > 0;) {
-        if (corners[k].x() < 0) table.fail("outline", "of a mirrored body has a corner at x < 0");
-        if (corners[k].x() > 0) corners.emplace_back(-corners[k].x(), corners[k].y());
+    try {
+        return mirrored_section(std::move(corners));
+    } catch (const InputError& error) {
+        table.fail("outline", error.what());
     }
-    return corners;
 }
 
 BodySpec read_body(const TomlTable& table, const std::string& name, const Scene& scene) {

@@ -85,13 +85,12 @@ std::string doubt_of(const TomlTable& table, const Direction& direction, const B
     const double end = (direction.forward ? looked_at.high : looked_at.low)[direction.axis];
     const bool at_wall =
         direction.forward ? range.high[direction.axis] > end : range.low[direction.axis] < end;
-    return table.about(
-        "direction",
-        fmt::format("is {}, and water touches {} ({} = {:.6g} m) at the start: the front would read {:.6g} m "
-                    "as long as it does; expected the direction in which the water runs, or x_range and "
-                    "y_range without that water",
-                    direction.name, at_wall ? direction.wall : "the end of the range",
-                    direction.axis == 0 ? "x" : "y", end, end));
+    return fmt::format(
+        "{}: is {}, and water touches {} ({} = {:.6g} m) at the start: the front would read {:.6g} m "
+        "as long as it does; expected the direction in which the water runs, or x_range and "
+        "y_range without that water",
+        table.place_of("direction"), direction.name, at_wall ? direction.wall : "the end of the range",
+        direction.axis == 0 ? "x" : "y", end, end);
 }
 
 std::string description_of(const Direction& direction, const Box& range) {

@@ -7,17 +7,11 @@
 
 namespace wetdeck {
 
-/// Scales by name ("time", "length", "pressure"), as quantities and comparisons refer to them.
-using Scales = std::map<std::string, double>;
-
 /// Two numbers under one key.
 inline Vec2 point(const TomlTable& table, const std::string& key) {
     const std::vector<double> values = table.numbers(key, 2);
     return {values[0], values[1]};
 }
-
-/// Names of all series that a run of the scene holds, once its bodies and probes are read.
-std::vector<std::string> series_names(const Scene& scene);
 
 /// [water], [air], [model], [execution], gravity -> Model, Execution.
 void read_model(const TomlTable& root, Scene& scene);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "validation/metrics/time_origin.hpp"
+#include "validation/scene/axes.hpp"
 
 namespace wetdeck {
 namespace {
@@ -28,10 +29,11 @@ std::vector<std::string> names_of(const std::map<std::string, TimeOrigin>& origi
 }
 
 /// { series = "body_y", crosses = 1.05 }
-OriginEvent read_crossing(const TomlTable& table, const Scene& scene) {
+OriginEvent read_crossing(const TomlTable& table, const Scene& scene,
+                          const std::vector<std::string>& series) {
     using Crossing = OriginEvent::Crossing;
     OriginEvent event;
-    event.series = table.choice("series", series_names(scene));
+    event.series = table.choice("series", series);
     event.level = table.number("crosses");
     const std::string direction = table.choice("direction", {"rising", "falling"}, "");
     if (!direction.empty()) event.crossing = direction == "rising" ? Crossing::rising : Crossing::falling;
@@ -45,14 +47,19 @@ OriginEvent read_crossing(const TomlTable& table, const Scene& scene) {
     return event;
 }
 
-TimeOrigin read_one(const TomlTable& table, const std::string& name, const Scene& scene,
+/// "10.2 ms", not the name of a contact.
+bool is_quantity(const std::string& text) {
+    return !text.empty() && text.find_first_of("0123456789+-.") == 0;
+}
+
+TimeOrigin read_one(const TomlTable& table, const std::string& name,
                     const std::map<std::string, TimeOrigin>& of_bodies) {
-    if (table.is_table(name)) return {0, read_crossing(table.table(name), scene)};
-    if (!table.is_text(name)) {
-        if (!table.is_number(name))
-            table.fail(name, "expected a number [s], the name of a contact, or a table { series, crosses }");
-        return {table.number(name), std::nullopt};
+    if (table.is_number(name) || (table.holds_text(name) && is_quantity(table.text(name)))) {
+        const MeasuredValue value = read_measured_value(table, name);
+        return {value.number, std::nullopt, value.unit};
     }
+    if (!table.holds_text(name))
+        table.fail(name, "expected a number [s], the name of a contact, or a table { series, crosses }");
     if (of_bodies.empty())
         table.fail(
             name, fmt::format("is '{}', a contact of a body, and the scene has no [body]", table.text(name)));
@@ -61,16 +68,19 @@ TimeOrigin read_one(const TomlTable& table, const std::string& name, const Scene
 
 }  // namespace
 
-std::map<std::string, TimeOrigin> read_time_origins(const TomlTable& root, const Scene& scene) {
+std::map<std::string, TimeOrigin> read_time_origins(const TomlTable& root, const Scene& scene,
+                                                    const std::vector<std::string>& series) {
     const std::map<std::string, TimeOrigin> of_bodies = contacts_of_bodies(scene);
     std::map<std::string, TimeOrigin> origins = of_bodies;
     const std::optional<TomlTable> table = root.optional_table("time_origins");
     if (!table) return origins;
     for (const std::string& name : table->keys()) {
-        const bool itself = table->is_text(name) && table->text(name) == name;
+        const bool itself = table->holds_text(name) && table->text(name) == name;
         if (of_bodies.contains(name) && !itself)
             table->fail(name, "is the name of a contact that each run finds, expected another name");
-        origins[name] = read_one(*table, name, scene, of_bodies);
+        origins[name] = table->is_table(name)
+                            ? TimeOrigin{0, read_crossing(table->table(name), scene, series)}
+                            : read_one(*table, name, of_bodies);
     }
     return origins;
 }
@@ -103,7 +113,8 @@ std::vector<std::string> stated_contacts(const AnalysisSpec& analysis, const std
     for (const ComparisonSpec& comparison : analysis.comparisons) here.insert(comparison.origin);
     std::vector<std::string> names;
     for (const auto& [name, origin] : analysis.origins) {
-        const bool about_contact = name.find("contact") != std::string::npos;
+        const bool instant = origin.unit.empty() || origin.unit == "s";
+        const bool about_contact = instant && name.find("contact") != std::string::npos;
         if (about_contact && !origin.event && (here.contains(name) || !used.contains(name)))
             names.push_back(name);
     }

@@ -2,7 +2,7 @@
 // [time_origins] of a scene file, and the origins that every run with a body finds.
 //
 //     [time_origins]
-//     gate = 0.02                                    # a number [s]
+//     gate = 0.02                                    # a number [s], or "20 ms"
 //     contact = "geometric_contact"                  # an event of the first body; "_2" of the second
 //     keel_down = { series = "body_y", crosses = 1.05, direction = "falling" }   # or rising; either if left
 //     out
@@ -18,7 +18,9 @@
 namespace wetdeck {
 
 /// The origins of a scene by name: those of the file, and first_contact and geometric_contact of its bodies.
-std::map<std::string, TimeOrigin> read_time_origins(const TomlTable& root, const Scene& scene);
+/// @param series  names of the series that a run of the scene holds
+std::map<std::string, TimeOrigin> read_time_origins(const TomlTable& root, const Scene& scene,
+                                                    const std::vector<std::string>& series);
 
 /// Geometric contact of each body of the scene.
 std::vector<OriginEvent> geometric_contacts(const Scene& scene);

@@ -23,14 +23,14 @@ bool is_slip_of(std::string given, std::string meant) {
 
 }  // namespace
 
-std::string TomlTable::about(const std::string& key, const std::string& message) const {
+std::string TomlTable::place_of(const std::string& key) const {
     const toml::node* entry = node_->table->get(key);
     const toml::source_region& region = entry ? entry->source() : node_->table->source();
-    return fmt::format("{}: key '{}{}': {}", place(*node_->path, region), node_->prefix, key, message);
+    return fmt::format("{}: key '{}{}'", place(*node_->path, region), node_->prefix, key);
 }
 
 void TomlTable::fail(const std::string& key, const std::string& message) const {
-    throw InputError(about(key, message));
+    throw InputError(fmt::format("{}: {}", place_of(key), message));
 }
 
 void TomlTable::fail_missing(const std::string& key, const std::string& expected) const {
@@ -47,12 +47,12 @@ bool TomlTable::has(const std::string& key) const {
     return node_->table->contains(key);
 }
 
-bool TomlTable::is_number(const std::string& key) const {
-    return has(key) && node_->table->get(key)->is_number();
+bool TomlTable::holds_text(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_string();
 }
 
-bool TomlTable::is_text(const std::string& key) const {
-    return has(key) && node_->table->get(key)->is_string();
+bool TomlTable::is_number(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_number();
 }
 
 bool TomlTable::is_table(const std::string& key) const {

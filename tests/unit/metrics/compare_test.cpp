@@ -173,12 +173,20 @@ TEST_CASE("A missing reference file is neither a success nor a failure", "[compa
     CHECK(result.simulated.x.size() == 5001);
 }
 
-TEST_CASE("A faulty reference file is an error and not a missing one", "[compare]") {
-    CHECK_THROWS_WITH(result_of(spec_of("broken"), run_with(bump)),
-                      Catch::Contains("broken.csv:17: y is 'oops'"));
+TEST_CASE("A faulty reference file leaves out its comparison and says why", "[compare]") {
+    const ComparisonResult faulty = result_of(spec_of("broken"), run_with(bump));
+    CHECK_FALSE(faulty.available);
+    CHECK(faulty.unusable);
+    CHECK_FALSE(faulty.nrmse.has_value());
+    CHECK_FALSE(faulty.kind.has_value());
+    CHECK_THAT(faulty.note, Catch::StartsWith("curve not available: ") &&
+                                Catch::Contains("broken.csv:17: y is 'oops', expected a number"));
     ComparisonSpec spec = spec_of("bump");
     spec.y_column = "z";
-    CHECK_THROWS_AS(result_of(spec, run_with(bump)), DataError);
+    const ComparisonResult lacking = result_of(spec, run_with(bump));
+    CHECK(lacking.unusable);
+    CHECK_THAT(lacking.note, Catch::Contains("bump.csv: no column 'z', there are T, y"));
+    CHECK_FALSE(result_of(spec_of("nobody2000"), run_with(bump)).unusable);
 }
 
 TEST_CASE("Empty cells of the reference are left out and counted in the note", "[compare]") {

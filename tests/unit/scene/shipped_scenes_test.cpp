@@ -92,6 +92,7 @@ TEST_CASE("every quantity and comparison of a shipped scene speaks of a series t
         std::set<std::string> recorded;
         for (const SeriesInfo& recorder : recorders.list()) recorded.insert(recorder.name);
         for (const AnalysedSeries& each : analysed_series()) recorded.insert(each.info.name);
+        for (const FieldSeries& each : field_series(scene)) recorded.insert(each.info.name);
         for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
             for (const DerivedSeries& each : derived_body_series())
                 recorded.insert(body_series_name(each.info.name, body));

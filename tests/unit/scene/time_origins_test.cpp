@@ -46,6 +46,7 @@ TEST_CASE("an origin is a number, a contact of a body or the crossing of a level
     };
     const std::vector<Row> rows = {
         {"contact = 0.25", "contact", "", 0.25},
+        {"contact = \"10.5 ms\"", "contact", "", 0.0105},
         {"contact = \"geometric_contact\"", "contact", "body_clearance", 0},
         {"contact = \"geometric_contact_2\"", "contact", "body_clearance_2", 0},
         {"contact = \"first_contact\"", "contact", "body_water_gap", 0},
@@ -64,7 +65,7 @@ TEST_CASE("an origin is a number, a contact of a body or the crossing of a level
         const QuantitySpec& q = quantity_of(scene);
         CHECK(q.origin == row.x_origin);
         CHECK(q.event.has_value() == !row.series.empty());
-        if (!q.event) CHECK(q.x_offset == row.level);
+        if (!q.event) CHECK(q.x_offset == Approx(row.level));
         if (q.event) CHECK(q.event->series == row.series);
         if (q.event) CHECK(q.event->level == row.level);
     }
