@@ -34,8 +34,14 @@ constexpr double unknown_scale = 0;
 AxesKey axes_of(const AnalysisSpec& scene, const ComparisonResult& c) {
     for (const ComparisonSpec& spec : scene.comparisons) {
         if (spec.title == c.title && spec.quantity == c.quantity && spec.reference == c.reference) {
-            return {c.quantity,    spec.x_scale,     spec.y_scale, spec.x_offset + spec.instant.value_or(0),
-                    spec.y_offset, spec.align_peaks, "",           ""};
+            return {c.quantity,
+                    spec.x_scale,
+                    spec.y_scale,
+                    spec.x_offset + spec.instant.value_or(0),
+                    spec.y_offset,
+                    spec.align_peaks,
+                    spec.event ? spec.origin : "",
+                    ""};
         }
     }
     return {c.quantity, unknown_scale, unknown_scale, 0, 0, false, c.x_label, c.y_label};

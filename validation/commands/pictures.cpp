@@ -28,9 +28,9 @@ std::vector<std::string> colours(Rgb (*map)(double)) {
 std::optional<double> time_scale(const AnalysisSpec& analysis) {
     if (analysis.comparisons.empty()) return std::nullopt;
     const double scale = analysis.comparisons.front().x_scale;
-    const bool one =
-        std::all_of(analysis.comparisons.begin(), analysis.comparisons.end(),
-                    [scale](const ComparisonSpec& c) { return c.x_scale == scale && c.x_offset == 0; });
+    const bool one = std::all_of(
+        analysis.comparisons.begin(), analysis.comparisons.end(),
+        [scale](const ComparisonSpec& c) { return c.x_scale == scale && c.x_offset == 0 && !c.event; });
     return one && scale != 1 && scale > 0 ? std::optional(scale) : std::nullopt;
 }
 

@@ -32,6 +32,9 @@ int report_command(const ReportOptions& options) {
 int print_verdict(const Summary& summary, const std::filesystem::path& directory) {
     for (const std::string& curve : unusable_curves(summary)) fmt::print(stderr, "note: {}\n", curve);
     fmt::print("report: {}\n", (directory / "index.html").string());
+    std::fflush(stdout);
+    for (const OriginDoubt& doubt : summary.doubts)
+        fmt::print(stderr, "doubt: {} {} dx {}: {}\n", doubt.scene, doubt.variant, doubt.dx, doubt.sentence);
     const std::vector<std::string> outside = outside_tolerance(summary);
     if (outside.empty()) return exit_done;
     constexpr std::size_t most = 3;

@@ -18,6 +18,7 @@
 #include "validation/metrics/speed_error.hpp"
 #include "validation/metrics/statements.hpp"
 #include "validation/metrics/statistics.hpp"
+#include "validation/metrics/time_origin.hpp"
 #include "validation/metrics/validation.hpp"
 
 namespace wetdeck {
@@ -33,6 +34,12 @@ void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& ref
         if (stopped_early(run.record) && !result.nrmse) result.available = false;
         run.comparisons.push_back(std::move(result));
     }
+}
+
+void add_doubts(const AnalysisSpec& spec, const RunRecord& record, std::vector<OriginDoubt>& doubts) {
+    for (const std::string& sentence : doubtful_origins(spec, record))
+        doubts.push_back({record.scene, record.variant, record.particle_spacing,
+                          provenance_entry(record, "overrides"), sentence});
 }
 
 /// Identity of the set-up by scene and variant: that of the run that was started last.
@@ -163,10 +170,14 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
     for (const AnalysisSpec& spec : scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         for (RunSummary& run : summary.runs) {
-            if (applies(spec, run.record)) evaluate_run(spec, run, references);
+            if (!applies(spec, run.record)) continue;
+            evaluate_run(spec, run, references);
+            add_doubts(spec, run.record, summary.doubts);
         }
         for (SensitivityRun& varied : sensitivity_runs) {
-            if (applies(spec, varied.run.record)) evaluate_run(spec, varied.run, references);
+            if (!applies(spec, varied.run.record)) continue;
+            evaluate_run(spec, varied.run, references);
+            add_doubts(spec, varied.run.record, summary.doubts);
         }
         add_convergence(spec, summary);
         add_curve_convergence(spec, summary);

@@ -14,6 +14,26 @@
 
 namespace wetdeck {
 
+/// An instant that a run finds: the first at which a series goes through a level; see time_origin.hpp.
+struct OriginEvent {
+    enum class Crossing { either, falling, rising };
+    std::string series;
+    double level = 0;     ///< in the unit of the series
+    double spacings = 0;  ///< particle spacings added to the level
+    Crossing crossing = Crossing::either;
+    bool counts_at_start = false;  ///< a falling series that starts below the level has crossed it then
+    std::string meaning;           ///< "geometric contact of body"
+
+    bool operator==(const OriginEvent&) const = default;
+};
+
+/// A number that the scene states, or an event.
+struct TimeOrigin {
+    double typed = 0;  ///< without an event [s, or m along a profile]
+    std::optional<OriginEvent> event;
+    std::string unit = {};  ///< that the scene states, or empty
+};
+
 /// How a series becomes a curve: ((time - x_offset) / x_scale, value / y_scale - y_offset); of a profile, the
 /// row at one instant, with its abscissa in place of the time.
 struct SeriesScaling {
@@ -22,7 +42,9 @@ struct SeriesScaling {
     double y_scale = 1;   ///< SI units per unit of the scaled value
     double y_offset =
         0;  ///< subtracted from the scaled value (for example 2, where a front is counted from the gate)
-    std::optional<double> instant;  ///< of the row of a profile, on the clock of the run [s]
+    std::optional<double> instant = {};     ///< of the row of a profile, on the clock of the run [s]
+    std::string origin = {};                ///< name of the time origin, empty if there is none
+    std::optional<OriginEvent> event = {};  ///< of the time origin, instead of x_offset
 
     bool operator==(const SeriesScaling&) const = default;
 };
@@ -149,6 +171,10 @@ struct AnalysisSpec {
     std::string source;
     std::vector<QuantitySpec> quantities;
     std::vector<ComparisonSpec> comparisons;
+    std::map<std::string, TimeOrigin> origins;  ///< by name
+    std::vector<std::string> stated_contacts;   ///< origins named after a contact that are numbers
+    std::vector<OriginEvent> contacts;          ///< geometric, of each body
+    double sample_interval = 0;                 ///< of the series [s]
     std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
     std::vector<SourceFigure> source_figures;

@@ -113,6 +113,14 @@ struct ValidationRow {
     std::string verdict;
 };
 
+/// A time origin of a run that was stated by hand and differs from what the run found.
+struct OriginDoubt {
+    std::string scene, variant;
+    double dx = 0;
+    std::string overrides;  ///< of the run, as given with --set
+    std::string sentence;
+};
+
 /// One pair of a measured or exact value and its prediction, in SI units.
 struct ScatterPoint {
     std::string scene, variant, quantity, quantity_class, unit, against;
@@ -233,6 +241,7 @@ struct Summary {
     std::vector<SensitivityRow> sensitivity;
     std::vector<AblationRow> ablation;
     std::vector<StressRow> stress;
+    std::vector<OriginDoubt> doubts;
     std::vector<std::string> missing;  ///< runs that the tier asks for and the directory lacks
 };
 

@@ -125,6 +125,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"verification", verification_list(summary.verification)},
             {"ablation", summary.ablation},
             {"stress", summary.stress},
+            {"doubts", summary.doubts},
             {"missing", summary.missing}};
 }
 

@@ -10,6 +10,7 @@
 #include "solver/core/errors.hpp"
 #include "solver/scheme_revision.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/metrics/time_origin.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/field_frame.hpp"
 #include "validation/run/field_time_series.hpp"
@@ -169,6 +170,7 @@ class Run {
         provenance_.add_to(record.provenance);
         record_parameters(record, scene_, simulation_);
         if (end_ < scene_.end_time) record.parameters["run.until"] = end_;
+        record.provenance["time_origins"] = origins_text(scene_.analysis.origins);
         record.provenance["reference_hashes"] =
             reference_hashes(scene_.analysis, reference_directory() / scene_.name());
         if (!scene_.overrides.empty()) {

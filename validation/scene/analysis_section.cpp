@@ -11,6 +11,7 @@
 #include "validation/metrics/quantities.hpp"
 #include "validation/scene/axes.hpp"
 #include "validation/scene/sections.hpp"
+#include "validation/scene/time_origins.hpp"
 
 namespace wetdeck {
 namespace {
@@ -168,6 +169,21 @@ void read_source_run(const TomlTable& root, AnalysisSpec& analysis) {
     table->finish();
 }
 
+/// Names of the time origins that the entries of a table use, in whatever variant.
+void add_origins(const TomlTable& root, const std::string& key, std::set<std::string>& used) {
+    for (const TomlTable& table : root.tables(key)) used.insert(table.text_or("x_origin", ""));
+}
+
+void read_origins(const TomlTable& root, const Axes& axes, Scene& scene) {
+    AnalysisSpec& analysis = scene.analysis;
+    analysis.origins = axes.origins();
+    analysis.contacts = geometric_contacts(scene);
+    analysis.sample_interval = scene.sample_interval;
+    std::set<std::string> used;
+    for (const char* key : {"quantities", "compare"}) add_origins(root, key, used);
+    analysis.stated_contacts = stated_contacts(analysis, used);
+}
+
 }  // namespace
 
 void read_analysis(const TomlTable& root, Scene& scene) {
@@ -175,6 +191,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     const Axes axes(root, scene);
     const std::set<std::string> quantities = read_quantities(root, axes, scene);
     read_comparisons(root, axes, scene);
+    read_origins(root, axes, scene);
     read_statements(root, axes.series_names(), {quantities.begin(), quantities.end()}, scene);
     read_deviations(root, analysis);
     read_sources(root, analysis);

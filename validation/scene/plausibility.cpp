@@ -52,6 +52,8 @@ std::vector<std::string> doubtful(const Scene& scene) {
             "c^2/gamma, {:.3g} Pa: it would tear light air apart",
             air.background_pressure, air.coefficient()));
     }
+    for (const Probe& probe : scene.probes)
+        found.insert(found.end(), probe.doubts.begin(), probe.doubts.end());
     for (const BodySpec& body : scene.bodies) {
         const auto wet = [&](const Vec2& corner) {
             return std::any_of(scene.water_boxes.begin(), scene.water_boxes.end(), [&](const Box& box) {

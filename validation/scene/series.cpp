@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
+#include "solver/probes/front.hpp"
 #include "solver/probes/phase_defects.hpp"
 #include "validation/metrics/energy_budget.hpp"
 
@@ -11,7 +15,23 @@ namespace {
 
 using Fluid = const Balance&;
 using State = const Simulation&;
-using Body = const RigidBody&;
+using Body = const BodyNow&;
+
+std::vector<Vec2> corners(Body b) {
+    std::vector<Vec2> placed;
+    for (const Vec2& corner : b.outline) placed.push_back(b.body.placed(corner));
+    return placed;
+}
+
+double clearance(Body b) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec2& corner : corners(b)) lowest = std::min(lowest, corner.y());
+    return lowest - b.level;
+}
+
+double water_gap(Body b) {
+    return gap_around(b.simulation, corners(b));
+}
 
 }  // namespace
 
@@ -73,20 +93,26 @@ const std::vector<FieldSeries>& all_field_series() {
 
 const std::vector<BodySeries>& recorded_body_series() {
     static const std::vector<BodySeries> table = {
-        {{"body_x", "m", "mass centre"}, [](Body b) { return b.position.x(); }},
-        {{"body_y", "m", "mass centre"}, [](Body b) { return b.position.y(); }},
-        {{"body_angle", "rad", "counter-clockwise"}, [](Body b) { return b.angle; }},
-        {{"body_velocity_x", "m/s", "of the mass centre"}, [](Body b) { return b.velocity.x(); }},
-        {{"body_velocity_y", "m/s", "of the mass centre, up"}, [](Body b) { return b.velocity.y(); }},
-        {{"body_angular_velocity", "rad/s", "counter-clockwise"}, [](Body b) { return b.angular_velocity; }},
+        {{"body_x", "m", "mass centre"}, [](Body b) { return b.body.position.x(); }},
+        {{"body_y", "m", "mass centre"}, [](Body b) { return b.body.position.y(); }},
+        {{"body_angle", "rad", "counter-clockwise"}, [](Body b) { return b.body.angle; }},
+        {{"body_velocity_x", "m/s", "of the mass centre"}, [](Body b) { return b.body.velocity.x(); }},
+        {{"body_velocity_y", "m/s", "of the mass centre, up"}, [](Body b) { return b.body.velocity.y(); }},
+        {{"body_angular_velocity", "rad/s", "counter-clockwise"},
+         [](Body b) { return b.body.angular_velocity; }},
         {{"body_impulse_x", "N s/m", "time integral of the fluid's force since the start"},
-         [](Body b) { return b.impulse.x(); }},
+         [](Body b) { return b.body.impulse.x(); }},
         {{"body_impulse_y", "N s/m", "time integral of the fluid's force since the start, up"},
-         [](Body b) { return b.impulse.y(); }},
+         [](Body b) { return b.body.impulse.y(); }},
         {{"body_angular_impulse", "N s", "time integral of the fluid's torque about the mass centre"},
-         [](Body b) { return b.angular_impulse; }},
+         [](Body b) { return b.body.angular_impulse; }},
         {{"body_work", "J/m", "work of the fluid on the body since the start"},
-         [](Body b) { return b.work; }}};
+         [](Body b) { return b.body.work; }},
+        {{"body_clearance", "m",
+          "height of the lowest point of the outline above the level of the water at the start"},
+         clearance},
+        {{"body_water_gap", "m", "distance from the outline to the nearest water, less half a spacing"},
+         water_gap}};
     return table;
 }
 

@@ -40,10 +40,18 @@ struct FieldSeries {
 };
 const std::vector<FieldSeries>& all_field_series();
 
+/// A body at one time of a run.
+struct BodyNow {
+    const Simulation& simulation;
+    const RigidBody& body;
+    std::span<const Vec2> outline;  ///< corners, in the frame of the body [m]
+    double level;                   ///< of the water at the start [m]
+};
+
 /// A series of each body.
 struct BodySeries {
     SeriesInfo info;
-    double (*value)(const RigidBody&);
+    double (*value)(const BodyNow&);
 };
 const std::vector<BodySeries>& recorded_body_series();
 

@@ -51,6 +51,14 @@ bool TomlTable::holds_text(const std::string& key) const {
     return has(key) && node_->table->get(key)->is_string();
 }
 
+bool TomlTable::is_number(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_number();
+}
+
+bool TomlTable::is_table(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_table();
+}
+
 std::optional<double> TomlTable::optional_number(const std::string& key) const {
     if (!has(key)) return std::nullopt;
     const std::optional<double> value = node_->table->get(key)->value<double>();

@@ -18,6 +18,9 @@ class TomlTable {
     bool has(const std::string& key) const;
     /// Whether the entry is there and a text in quotes.
     bool holds_text(const std::string& key) const;
+    /// Whether the entry is there and a number, or a table.
+    bool is_number(const std::string& key) const;
+    bool is_table(const std::string& key) const;
 
     double number(const std::string& key) const;
     double number_or(const std::string& key, double fallback) const;
