@@ -28,6 +28,6 @@ function(wetdeck_install_libraries)
   configure_package_config_file(cmake/wetdeck-config.cmake.in ${PROJECT_BINARY_DIR}/wetdeck-config.cmake
                                 INSTALL_DESTINATION ${wetdeck_package_folder})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/wetdeck-config-version.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_BINARY_DIR}/wetdeck-config.cmake ${PROJECT_BINARY_DIR}/wetdeck-config-version.cmake
+  install(FILES ${PROJECT_BINARY_DIR}/wetdeck-config.cmake ${PROJECT_BINARY_DIR}/wetdeck-config-version.cmake cmake/FindUDUNITS2.cmake
           DESTINATION ${wetdeck_package_folder} COMPONENT development)
 endfunction()

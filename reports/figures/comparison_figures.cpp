@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <tuple>
 
 #include "reports/figures/figures.hpp"
 #include "reports/figures/reference_names.hpp"
@@ -17,7 +16,18 @@ namespace {
 
 /// Comparisons that share axes: the same series with the same scales. Where the scales are unknown the labels
 /// of the axes decide.
-using AxesKey = std::tuple<std::string, double, double, double, double, std::string, std::string>;
+struct AxesKey {
+    std::string quantity;
+    double x_scale, y_scale, x_offset, y_offset;
+    bool aligned;
+    std::string x_label, y_label;
+
+    bool operator==(const AxesKey&) const = default;
+
+    /// Of figures: the aligned ones stand beside those of the same series over time.
+    std::string name() const { return quantity + (aligned ? "-aligned" : ""); }
+    std::string title() const { return quantity + (aligned ? ", aligned on the peaks" : ""); }
+};
 
 constexpr double unknown_scale = 0;
 
@@ -29,11 +39,12 @@ AxesKey axes_of(const AnalysisSpec& scene, const ComparisonResult& c) {
                     spec.y_scale,
                     spec.x_offset + spec.instant.value_or(0),
                     spec.y_offset,
-                    "",
+                    spec.align_peaks,
+                    spec.event ? spec.origin : "",
                     ""};
         }
     }
-    return {c.quantity, unknown_scale, unknown_scale, 0, 0, c.x_label, c.y_label};
+    return {c.quantity, unknown_scale, unknown_scale, 0, 0, false, c.x_label, c.y_label};
 }
 
 /// The comparisons of one run that share a figure.
@@ -168,9 +179,8 @@ Figure curve_figure(const AnalysisSpec& scene, const AxesKey& key, const Runs& r
     for (const RunSummary* run : runs) {
         const Group group = group_of(scene, *run, key);
         if (group.empty()) continue;
-        figure.x = scaled_axis(group.front()->x_label, std::get<1>(key), "s");
-        figure.y =
-            scaled_axis(group.front()->y_label, std::get<2>(key), unit_of_series(runs, std::get<0>(key)));
+        figure.x = scaled_axis(group.front()->x_label, key.x_scale, "s");
+        figure.y = scaled_axis(group.front()->y_label, key.y_scale, unit_of_series(runs, key.quantity));
         break;
     }
     return figure;
@@ -180,9 +190,8 @@ Figure comparison_figure(const AnalysisSpec& scene, const AxesKey& key, const Ru
                          std::size_t variant) {
     Figure figure = curve_figure(scene, key, runs);
     const RunSummary& finest = *runs.back();
-    const std::string& name = std::get<0>(key);
-    figure.name = fmt::format("{}-{}-{}", scene.scene, finest.record.variant, name);
-    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, name);
+    figure.name = fmt::format("{}-{}-{}", scene.scene, finest.record.variant, key.name());
+    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, key.title());
     Group group;
     std::vector<PlotSeries> simulations;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -223,8 +232,8 @@ std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs)
     if (finest.size() < 2) return figures;
     for (const AxesKey& key : keys_of(scene, finest)) {
         Figure figure = curve_figure(scene, key, finest);
-        figure.name = fmt::format("{}-variants-{}", scene.scene, std::get<0>(key));
-        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, std::get<0>(key));
+        figure.name = fmt::format("{}-variants-{}", scene.scene, key.name());
+        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, key.title());
         Group references;  // the same for all variants
         for (std::size_t v = 0; v < finest.size(); ++v) {
             const Group group = group_of(scene, *finest[v], key);

@@ -20,6 +20,9 @@ std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs)
 std::vector<Figure> body_figures(const Runs& runs);
 std::vector<Figure> profile_figures(const Runs& runs);
 
+/// One series of the variants that the scene wants beside each other, scaled as in its first comparison.
+Figure side_by_side_figure(const AnalysisSpec& scene, const SideBySide& entry, const Runs& runs);
+
 /// Quantities over the spacing, and differences of whole curves between neighbouring spacings.
 std::vector<Figure> convergence_figures(const Summary& summary, const AnalysisSpec& scene);
 std::vector<Figure> curve_convergence_figures(const Summary& summary, const AnalysisSpec& scene);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -96,6 +97,19 @@ Runs finest_of_each(const Runs& runs) {
     Runs out;
     for (const std::string& variant : variants_of(runs)) out.push_back(with_variant(runs, variant).back());
     return out;
+}
+
+Runs side_by_side_runs(const Runs& runs, const SideBySide& entry) {
+    std::map<double, Runs> by_spacing;
+    Runs finest;
+    for (const std::string& variant : entry.variants) {
+        const Runs own = with_variant(runs, variant);
+        for (const RunSummary* run : own) by_spacing[run->record.particle_spacing].push_back(run);
+        if (!own.empty()) finest.push_back(own.back());
+    }
+    for (const auto& [spacing, common] : by_spacing)
+        if (common.size() == entry.variants.size()) return common;
+    return finest;
 }
 
 const RunSummary* finest_completed(const Runs& runs) {

@@ -27,6 +27,9 @@ bool unstable_as_expected(const RunSummary& run);
 std::vector<std::string> variants_of(const Runs& runs);
 Runs with_variant(const Runs& runs, const std::string& variant);
 
+/// One run of each of these variants: at the finest spacing that all of them have, else each at its finest.
+Runs side_by_side_runs(const Runs& runs, const SideBySide& entry);
+
 /// The finest run of each variant.
 Runs finest_of_each(const Runs& runs);
 /// The finest run of the first variant that reached its end; null if there is none.

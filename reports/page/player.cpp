@@ -33,12 +33,20 @@ std::string picture_markup(const Picture& picture) {
         escape(instant(picture)), escape(picture.title + ", " + instant(picture)), base64(picture.png), bars);
 }
 
-}  // namespace
-
-std::string picture_player(const std::vector<Picture>& pictures) {
-    std::string html = "<div class=\"figures player\">\n";
+std::string in_grid(const std::vector<Picture>& pictures, const char* css_class) {
+    std::string html = fmt::format("<div class=\"{}\">\n", css_class);
     for (const Picture& picture : pictures) html += picture_markup(picture);
     return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string picture_grid(const std::vector<Picture>& pictures) {
+    return in_grid(pictures, "figures");
+}
+
+std::string picture_player(const std::vector<Picture>& pictures) {
+    return in_grid(pictures, "figures player");
 }
 
 }  // namespace wetdeck::report

@@ -36,7 +36,8 @@ struct SchemeRow {
 struct ReportInputs {
     std::vector<std::pair<std::string, std::string>> program;  ///< name and value, in the order shown
     std::vector<std::pair<std::string, std::string>> machine;
-    std::map<std::string, std::vector<Picture>> pictures;   ///< by RunSummary::directory
+    std::map<std::string, std::vector<Picture>> pictures;  ///< by RunSummary::directory
+    std::map<std::pair<std::string, std::string>, std::vector<Picture>> side_by_side;  ///< by scene and title
     std::map<std::string, std::string> sketches;            ///< SVG of the set-up, by scene
     std::map<std::string, std::vector<SchemeRow>> schemes;  ///< by scene
     std::map<std::string, std::string> instabilities;       ///< PNG, by StressRow::picture

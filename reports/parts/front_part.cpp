@@ -168,6 +168,18 @@ std::string mixture_notice(const Summary& summary) {
     return out;
 }
 
+/// Time origins that a reader should not trust, one paragraph a run.
+std::string doubts_notice(const Summary& summary) {
+    std::string out;
+    for (const OriginDoubt& doubt : summary.doubts) {
+        const std::string with = doubt.overrides.empty() ? "" : fmt::format(" with {}", doubt.overrides);
+        out += paragraph(fmt::format("Doubt about {} {} dx {}{}: {}", doubt.scene, doubt.variant,
+                                     number(doubt.dx), with, doubt.sentence),
+                         "notice");
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page) {
@@ -177,6 +189,7 @@ std::string header_markup(const Summary& summary, const ReportInputs& inputs, co
         "lead");
     out += cards(summary);
     out += mixture_notice(summary);
+    out += doubts_notice(summary);
     if (!summary.missing.empty()) {
         out += paragraph(
             "This report is incomplete: runs of the tier are missing. They are listed under Failures.",

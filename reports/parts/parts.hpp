@@ -24,6 +24,9 @@ void add_stress_part(Page& page, const Summary& summary, const ReportInputs& inp
 /// One scene, from purpose to provenance.
 void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scene,
                     const ReportInputs& inputs);
+/// Variants of a scene beside each other, as the scene asks for.
+void add_side_by_side_part(Page& page, const AnalysisSpec& scene, const Runs& runs,
+                           const ReportInputs& inputs);
 /// Where the figures of each scene's source have their counterparts. The last chapter: it links to the
 /// others.
 void add_source_figures_part(Page& page, const Summary& summary);

@@ -59,6 +59,13 @@ std::string references_table(const Runs& runs) {
     return table.empty() ? "" : "<h4>References</h4>\n" + table.html();
 }
 
+std::string unused_references_table(const AnalysisSpec& scene) {
+    Table table({"file", "why no comparison uses it"});
+    for (const UnusedReference& unused : scene.unused_references)
+        table.add({text(unused.file), markup(escape(unused.reason), "wide")});
+    return table.empty() ? "" : "<h4>Reference files that no comparison uses</h4>\n" + table.html();
+}
+
 std::string provenance_table(const Runs& runs) {
     std::map<std::string, std::map<std::string, std::vector<std::string>>> entries;  // key, value, runs
     for (const RunSummary* run : runs) {

@@ -62,7 +62,9 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
         "Simulations: solid lines, the finest spacing is the darkest. Exact solutions: dashed black "
         "lines. Measurements: black points, with bars or a band of one standard uncertainty where "
         "it is known. Other simulations: thin grey lines; agreement with them is no validation. "
-        "Errors are evaluated over the shaded interval."));
+        "Errors are evaluated over the shaded interval. Where a comparison is aligned on the peaks, each "
+        "curve "
+        "is shifted until its largest value is at zero; its note says by how much."));
     add_by_variant(page, runs,
                    [&](const Runs& some, std::size_t v) { return comparison_figures(scene, some, v); });
     page.add_figures(variant_figures(scene, runs));
@@ -80,9 +82,10 @@ void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
     page.add(peer_table(runs));
 }
 
-void add_provenance(Page& page, const Runs& runs) {
-    page.section(3, "Provenance", runs.front()->record.scene);
+void add_provenance(Page& page, const AnalysisSpec& scene, const Runs& runs) {
+    page.section(3, "Provenance", scene.scene);
     page.add(references_table(runs));
+    page.add(unused_references_table(scene));
     page.add("<h4>Runs</h4>\n" + provenance_table(runs));
     const RunRecord& record = finest_of_each(runs).front()->record;
     if (!record.parameters.empty()) {
@@ -107,6 +110,14 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     }
     page.section(3, "Quantities of interest", scene.scene);
     page.add(quantities_table(runs));
+    if (const std::string statements = statements_table(summary, scene); !statements.empty()) {
+        page.section(3, "Statements of the source", scene.scene);
+        page.add(
+            paragraph("What the text of the source says, against runs of the variants: at the finest "
+                      "spacing that the runs compared have in common. Meeting a statement reproduces "
+                      "the source and validates nothing."));
+        page.add(statements);
+    }
     add_comparisons(page, scene, runs);
     std::vector<Figure> uncompared = body_figures(runs);
     for (Figure& profile : profile_figures(runs)) uncompared.push_back(std::move(profile));
@@ -129,16 +140,21 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     page.section(3, "Conservation", scene.scene);
     page.add(conservation_table(runs));
     add_by_variant(page, runs, energy_figures);
+    if (const std::string defects = phase_defects_table(runs); !defects.empty()) {
+        page.section(3, "Voids, mixing and penetration", scene.scene);
+        page.add(defects);
+    }
 
     page.section(3, "Cost", scene.scene);
     page.add(cost_table(runs, scene));
     add_pictures(page, runs, inputs);
+    add_side_by_side_part(page, scene, runs, inputs);
 
     page.section(3, "Limits of validity", scene.scene);
     std::string limits;
     for (const std::string& limit : scene.limits) limits += "<li>" + escape(limit) + "</li>\n";
     page.add(limits.empty() ? paragraph("None stated.", "soft") : "<ul>\n" + limits + "</ul>\n");
-    add_provenance(page, runs);
+    add_provenance(page, scene, runs);
 }
 
 }  // namespace wetdeck::report

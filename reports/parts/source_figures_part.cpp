@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "reports/page/html.hpp"
 #include "reports/parts/parts.hpp"
@@ -19,6 +20,24 @@ std::string links_to(const Page& page, const SourceFigure& figure) {
         }
     }
     return links;
+}
+
+/// The curves of others that the figure shows: what there is of them leads to the list of references.
+std::string curves_of(const Page& page, const AnalysisSpec& scene, const SourceFigure& figure) {
+    const std::vector<std::string> lists = page.anchors_like("section-" + slug(scene.scene) + "-provenance");
+    std::string out;
+    for (const SourceCurve& curve : figure.curves) {
+        const std::string file =
+            escape(fmt::format("reference_data/{}/{}.csv", scene.scene, curve.reference));
+        out += out.empty() ? "" : "<br>";
+        if (!curve.available)
+            out += "curve not available: " + file;
+        else if (lists.empty())
+            out += file;
+        else
+            out += fmt::format("<a href=\"#{}\">{}</a>", lists.front(), file);
+    }
+    return out.empty() ? "—" : out;
 }
 
 std::string reason_for_absence(const Summary& summary, const AnalysisSpec& scene,
@@ -41,15 +60,38 @@ std::vector<std::string> sources_of(const AnalysisSpec& scene) {
 
 std::string figures_table(const Page& page, const Summary& summary, const AnalysisSpec& scene,
                           const std::string& source) {
-    Table table({"figure", "content", "place in this report", "remark"});
+    Table table({"figure", "content", "place in this report", "remark", "curves of others in it"});
     for (const SourceFigure& figure : scene.source_figures) {
         if (figure.source != source) continue;
         const std::string links = links_to(page, figure);
         table.add({text(figure.number), text(figure.shows),
                    links.empty() ? text(reason_for_absence(summary, scene, figure)) : markup(links),
-                   text(figure.remark)});
+                   text(figure.remark), markup(curves_of(page, scene, figure))});
     }
     return table.html();
+}
+
+/// The figures of one source in one scene.
+struct Block {
+    const AnalysisSpec* scene;
+    std::string source;
+    int first;  ///< number of its first figure
+};
+
+/// As the figures follow each other in a source that several scenes share.
+std::vector<Block> blocks_of(const std::vector<AnalysisSpec>& scenes) {
+    std::vector<Block> blocks;
+    for (const AnalysisSpec& scene : scenes) {
+        for (const std::string& source : sources_of(scene)) {
+            const auto first =
+                std::find_if(scene.source_figures.begin(), scene.source_figures.end(),
+                             [&](const SourceFigure& figure) { return figure.source == source; });
+            blocks.push_back({&scene, source, std::atoi(first->number.c_str())});
+        }
+    }
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const Block& a, const Block& b) { return a.first < b.first; });
+    return blocks;
 }
 
 }  // namespace
@@ -59,11 +101,12 @@ void add_source_figures_part(Page& page, const Summary& summary) {
     const auto has_figures = [](const AnalysisSpec& scene) { return !scene.source_figures.empty(); };
     if (std::none_of(scenes.begin(), scenes.end(), has_figures)) return;
     page.section(2, "Figures of the sources");
-    page.add(paragraph("Where this report shows what the figures of the sources show."));
-    for (const AnalysisSpec& scene : scenes) {
-        for (const std::string& source : sources_of(scene))
-            page.add("<h4>" + escape(source) + "</h4>\n" + figures_table(page, summary, scene, source));
-    }
+    page.add(
+        paragraph("Where this report shows what the figures of the sources show, and whether the measured "
+                  "or computed curves of others in them are at hand."));
+    for (const Block& block : blocks_of(scenes))
+        page.add("<h4>" + escape(block.source) + "</h4>\n" +
+                 figures_table(page, summary, *block.scene, block.source));
 }
 
 }  // namespace wetdeck::report

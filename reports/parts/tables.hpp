@@ -16,6 +16,8 @@ std::string deviations_table(const AnalysisSpec& scene);
 /// One row a key in which a scheme differs from that of the source, one column a variant that differs in any.
 std::string schemes_table(const std::vector<SchemeRow>& rows);
 std::string quantities_table(const Runs& runs);
+/// Empty without statements.
+std::string statements_table(const Summary& summary, const AnalysisSpec& scene);
 std::string comparison_tables(const Runs& runs);
 std::string agreement_table(const Runs& runs);
 /// Pressures of other codes, and of the finest run, against each measured pressure. Empty without either.
@@ -26,8 +28,12 @@ std::string validation_table(const Summary& summary, const AnalysisSpec& scene);
 std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene);
 std::string ablation_table(const Summary& summary, const AnalysisSpec& scene);
 std::string conservation_table(const Runs& runs);
+/// Voids, mixed particles, enclosed air and fluid in bodies; empty where no run recorded them.
+std::string phase_defects_table(const Runs& runs);
 std::string cost_table(const Runs& runs, const AnalysisSpec& scene);
 std::string references_table(const Runs& runs);
+/// Files of reference curves that the scene has and does not compare with; empty without any.
+std::string unused_references_table(const AnalysisSpec& scene);
 std::string provenance_table(const Runs& runs);
 
 /// Over all scenes; empty without rows. The cheapest run within an error, and other codes.

@@ -6,17 +6,59 @@
 #include <limits>
 
 namespace wetdeck {
+namespace {
+
+/// A side of a polygon, ready for many points.
+struct Side {
+    Vec2 from, along;  ///< a unit vector
+    double length;
+
+    double distance(Vec2 point) const {
+        const Vec2 r = point - from;
+        return (r - std::clamp(r.dot(along), 0.0, length) * along).norm();
+    }
+};
+
+std::vector<Side> sides_of(std::span<const Vec2> corners) {
+    std::vector<Side> sides;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vec2 side = corners[(k + 1) % corners.size()] - corners[k];
+        sides.push_back({corners[k], side.normalized(), side.norm()});
+    }
+    return sides;
+}
+
+}  // namespace
+
+double front_position(const Simulation& simulation, const FrontProbe& probe) {
+    const FluidParticles& fluid = simulation.fluid();
+    const double half = 0.5 * simulation.particle_spacing();
+    const double sign = probe.forward ? 1 : -1;
+    const Box tank = simulation.domain();
+    const double begin = probe.forward ? std::max(probe.range.low[probe.axis], tank.low[probe.axis])
+                                       : std::min(probe.range.high[probe.axis], tank.high[probe.axis]);
+    const double end = (probe.forward ? probe.range.high : probe.range.low)[probe.axis];
+    double front = -std::numeric_limits<double>::infinity();  // along the direction
+    for (std::size_t i = 0; i < fluid.water; ++i) {
+        const Vec2 at = fluid.state[i].position();
+        const bool within = (at - probe.range.low).minCoeff() >= 0 && (probe.range.high - at).minCoeff() >= 0;
+        if (within) front = std::max(front, sign * at[probe.axis]);
+    }
+    if (!std::isfinite(front)) return begin;
+    return sign * std::min(front + half, sign * end);
+}
 
 double front_position(const Simulation& simulation) {
-    const FluidParticles& fluid = simulation.fluid();
-    double front = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < fluid.water; ++i) front = std::max(front, fluid.state[i].x);
-    return front + 0.5 * simulation.particle_spacing();
+    const Vec2 unbounded = Vec2::Constant(std::numeric_limits<double>::infinity());
+    return front_position(simulation, {0, true, {-unbounded, unbounded}});
 }
 
 double water_depth(const Simulation& simulation, double x, double width) {
     const FluidParticles& fluid = simulation.fluid();
     const double dx = simulation.particle_spacing();
+    const Box tank = simulation.domain();
+    const double beyond =
+        std::max(0.0, tank.low.x() - (x - 0.5 * width)) + std::max(0.0, x + 0.5 * width - tank.high.x());
     double volume = 0;
     for (std::size_t i = 0; i < fluid.water; ++i) {
         // a particle counts by the share of its width that lies in the strip
@@ -24,7 +66,7 @@ double water_depth(const Simulation& simulation, double x, double width) {
         const double high = std::min(fluid.state[i].x + 0.5 * dx, x + 0.5 * width);
         volume += fluid.state[i].volume * std::max(0.0, high - low) / dx;
     }
-    return volume / width;
+    return volume / (width - beyond);
 }
 
 std::vector<double> water_top(const Simulation& simulation, double low, double high, std::size_t count) {
@@ -58,6 +100,22 @@ double gap_to_water(const Simulation& simulation, std::size_t body, Vec2 from, V
         if (s >= 0 && s <= length && distance > 0) gap = std::min(gap, distance);
     }
     return std::max(0.0, gap - 0.5 * simulation.particle_spacing());
+}
+
+double gap_around(const Simulation& simulation, std::span<const Vec2> corners) {
+    const std::vector<Side> sides = sides_of(corners);
+    Box around{corners[0], corners[0]};
+    for (const Vec2& corner : corners) around = {around.low.cwiseMin(corner), around.high.cwiseMax(corner)};
+    const FluidParticles& fluid = simulation.fluid();
+    const double half = 0.5 * simulation.particle_spacing();
+    double nearest = (simulation.domain().high - simulation.domain().low).norm();
+    for (std::size_t i = 0; i < fluid.water && nearest > half; ++i) {
+        const Vec2 at = fluid.state[i].position();
+        const Vec2 outside = (around.low - at).cwiseMax(at - around.high);
+        if (outside.maxCoeff() >= nearest) continue;
+        for (const Side& side : sides) nearest = std::min(nearest, side.distance(at));
+    }
+    return std::max(0.0, nearest - half);
 }
 
 }  // namespace wetdeck

@@ -9,37 +9,66 @@
 
 namespace wetdeck {
 
-std::vector<double> face_pressures(const Simulation& simulation, std::span<const Vec2> points) {
-    std::vector<double> pressure(points.size(), 0), weight(points.size(), 0);
+namespace {
+
+/// The part of gravity that the kernel's sums at a point do not see, because there is fluid on one side only.
+Vec2 one_sided_gravity(const FacePoint& point, Vec2 gravity, double smoothing_length) {
+    if (point.to_end < smoothing_length) return gravity;
+    return gravity - gravity.dot(point.along) * point.along;
+}
+
+/// Around all points, as far as the kernel reaches.
+Box neighbourhood(std::span<const FacePoint> points, double reach) {
+    Box near{points[0].place, points[0].place};
+    for (const FacePoint& point : points)
+        near = {near.low.cwiseMin(point.place), near.high.cwiseMax(point.place)};
+    return {near.low - Vec2::Constant(reach), near.high + Vec2::Constant(reach)};
+}
+
+}  // namespace
+
+std::vector<double> face_pressures(const Simulation& simulation, std::span<const FacePoint> points) {
+    std::vector<double> pressure(points.size(), 0), rise(points.size(), 0), weight(points.size(), 0);
     if (points.empty()) return pressure;
     const WendlandC2 kernel = simulation.kernel();
-    const Vec2 reach = Vec2::Constant(kernel.support_radius());
-    Box near{points[0], points[0]};
-    for (const Vec2& point : points) near = {near.low.cwiseMin(point), near.high.cwiseMax(point)};
-    near = {near.low - reach, near.high + reach};
+    std::vector<Vec2> gravity;
+    for (const FacePoint& point : points)
+        gravity.push_back(one_sided_gravity(point, simulation.model().gravity, kernel.smoothing_length));
+    const Box near = neighbourhood(points, kernel.support_radius());
     const FluidParticles& fluid = simulation.fluid();
     const double background = simulation.model().water.eos.background_pressure;
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const FluidState& p = fluid.state[i];
         if (p.x < near.low.x() || p.x > near.high.x() || p.y < near.low.y() || p.y > near.high.y()) continue;
         for (std::size_t k = 0; k < points.size(); ++k) {
-            const double w = p.volume * kernel.value((p.position() - points[k]).norm());
+            const Vec2 from_point = p.position() - points[k].place;
+            const double w = p.volume * kernel.value(from_point.norm());
             pressure[k] += w * (p.pressure - background);
+            rise[k] -= w * p.density * gravity[k].dot(from_point);
             weight[k] += w;
         }
     }
     constexpr double least_cover = 0.25;
-    for (std::size_t k = 0; k < points.size(); ++k) pressure[k] /= std::max(weight[k], least_cover);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const double wet = std::min(1.0, weight[k] / least_cover);
+        pressure[k] = (pressure[k] + wet * wet * rise[k]) / std::max(weight[k], least_cover);
+    }
     return pressure;
 }
 
-PressureGauge::PressureGauge(Vec2 centre, Vec2 along, double diameter, std::optional<std::size_t> body)
+FacePoint placed(const FacePoint& point, const RigidBody& body) {
+    return {body.placed(point.place), body.axes() * point.along, point.to_end};
+}
+
+PressureGauge::PressureGauge(Vec2 centre, Vec2 along, double diameter, std::optional<std::size_t> body,
+                             double centre_to_end)
     : diameter_(diameter), body_(body) {
     constexpr int point_count = 16;
     double sum = 0;
     for (int k = 0; k < point_count; ++k) {
         const double offset = ((k + 0.5) / point_count - 0.5) * diameter;
-        point_.push_back(centre + offset * along.normalized());
+        point_.push_back(
+            {centre + offset * along.normalized(), along.normalized(), centre_to_end - std::abs(offset)});
         weight_.push_back(std::sqrt(0.25 * diameter * diameter - offset * offset));
         sum += weight_.back();
     }
@@ -57,9 +86,9 @@ void PressureGauge::check(double particle_spacing) const {
 }
 
 double PressureGauge::sample(const Simulation& simulation) const {
-    std::vector<Vec2> points = point_;
+    std::vector<FacePoint> points = point_;
     if (body_) {
-        for (Vec2& point : points) point = simulation.bodies().at(*body_).placed(point);
+        for (FacePoint& point : points) point = placed(point, simulation.bodies().at(*body_));
     }
     const std::vector<double> pressure = face_pressures(simulation, points);
     double mean = 0;

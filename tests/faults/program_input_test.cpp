@@ -139,7 +139,10 @@ TEST_CASE("check tells an outline from a reference curve", "[faults]") {
     const ScratchFolder folder;
     const std::string file = folder / "hull.csv";
     samples::put_bytes(file, "# drawing: 12\nx [m], y [m]\n0, 0\n1, 0\n1, 1\n");
-    CHECK(run_program({"check", file}).out == file + ": outline of 3 corners, no error found\n");
+    CHECK(run_program({"check", file}).out ==
+          file +
+              ": outline of 3 corners, x from 0 to 1 m, y from 0 to 1 m, fit for 'mirrored = true', no error "
+              "found\n");
     CHECK(nlohmann::json::parse(run_program({"check", file, "--json"}).out).at("corners") == 3);
     samples::put_bytes(file, "0, 0\n1, 0\n1, one\n");
     expect_refusal({"check", file}, file + ":3: expected two numbers, x and y [m] (a reference curve begins");

@@ -10,7 +10,7 @@ cpack --config "$WETDECK_BUILD/CPackConfig.cmake" -G DEB -B "$folder" -D CPACK_C
     { cat "$folder/log"; echo FAILED; exit 1; }
 package=$(echo "$folder"/wetdeck_*.deb)
 depends=$(dpkg-deb -f "$package" Depends)
-for library in libvtk9 libhdf5 libgsl libgomp1 libfmt gnuplot; do
+for library in libvtk9 libhdf5 libgsl libudunits2 libgomp1 libfmt gnuplot; do
     grep -q "$library" <<<"$depends" || { echo "FAILED: $library is not in: $depends"; exit 1; }
 done
 # header-only or linked in: what only a build needs must not be installed with the program

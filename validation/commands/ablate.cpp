@@ -9,6 +9,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
+#include "validation/commands/references.hpp"
 #include "validation/commands/stored_report.hpp"
 #include "validation/jobs/local.hpp"
 #include "validation/metrics/ablation.hpp"
@@ -63,6 +64,7 @@ struct Study {
           full_model(run_path(results, scene.name(), scene.variant, particle_spacing)),
           other_models(results / ablation_folder / full_model.lexically_relative(results / "runs")) {
         check_spacing(scene, particle_spacing);
+        check_references(scene);
     }
 };
 

@@ -4,20 +4,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "solver/core/errors.hpp"
-#include "validation/analytic/curves.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
-#include "validation/metrics/quantities.hpp"
+#include "validation/metrics/reference_check.hpp"
+#include "validation/metrics/reference_use.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/exit_code.hpp"
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/plausibility.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
 namespace {
@@ -37,34 +38,19 @@ struct Finding {
     json details;
 };
 
-/// Reads the curves that a scene is compared with, and returns the names of those that do not exist. Throws
-/// DataError where one is not sound or lacks a column.
-std::set<std::string> missing_references(const Scene& scene) {
-    ReferenceShelf shelf(reference_directory() / scene.name(), scene.analysis.folder);
-    std::set<std::string> missing;
-    for (const ComparisonSpec& c : scene.analysis.comparisons) {
-        if (is_analytic(c.reference)) continue;  // checked when the scene was read
-        if (const Reference* reference = shelf.find(c.reference)) {
-            column_curve(*reference, c.x_column, c.y_column);
-        } else {
-            missing.insert(c.reference);
-        }
-    }
-    return missing;
-}
-
 /// Reads the scene in every variant, and checks every spacing of its tiers.
 Finding check_scene(const std::string& file) {
     const Scene scene = read_scene(file);
     Finding found;
-    const std::set<std::string> missing = missing_references(scene);
-    for (const std::string& name : missing)
-        found.notes.push_back(fmt::format(
-            "no file {}.csv beside the scene or in reference_data/: its comparison will be left out", name));
+    std::set<std::string> missing;
+    ReferenceShelf shelf(reference_directory() / scene.name(), scene.analysis.folder);
     std::vector<std::string> variants;
+    std::vector<AnalysisSpec> analyses;
     for (const VariantInfo& variant : scene.variants) {
         variants.push_back(variant.name);
         const Scene varied = read_scene(file, variant.name);
+        missing.merge(check_references(varied.analysis, shelf));
+        analyses.push_back(varied.analysis);
         const auto add_once = [](std::vector<std::string>& all, const std::string& text) {
             if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
         };
@@ -80,10 +66,20 @@ Finding check_scene(const std::string& file) {
             }
         }
     }
+    for (const std::string& name : missing)
+        found.notes.push_back(fmt::format(
+            "no file {}.csv beside the scene or in reference_data/: its comparison will be left out", name));
+    const std::set<std::string> unmentioned =
+        unmentioned_references(analyses, reference_directory() / scene.name());
+    for (const std::string& name : unmentioned)
+        found.notes.push_back(fmt::format(
+            "reference_data/{}/{}.csv is neither compared with nor listed in [[unused_references]]",
+            scene.name(), name));
     found.sentence = fmt::format("scene '{}' with {} variants", scene.name(), variants.size());
     found.details = {{"scene", scene.name()},
                      {"variants", variants},
                      {"missing_references", missing},
+                     {"unmentioned_references", unmentioned},
                      {"doubts", found.doubts}};
     return found;
 }
@@ -97,30 +93,50 @@ Finding check_curve(const std::string& file) {
             {{"kind", name_of(reference.kind)}, {"columns", columns}}};
 }
 
-Finding check_outline(const std::string& file) {
+/// Why the corners are no outline, of a whole section or of half of a mirrored one; empty if they are.
+std::string outline_problem(const Outline& corners, bool half) {
     try {
-        const std::size_t corners = read_outline(file).size();
-        return {fmt::format("outline of {} corners", corners),
-                {},
-                {},
-                {{"kind", "outline"}, {"corners", corners}}};
-    } catch (const InputError& error) {  // the file may have been meant as the other kind of .csv
-        throw InputError(fmt::format("{} (a reference curve begins with '# kind: ...')", error.what()));
+        check_outline(half ? mirrored_section(corners) : corners);
+        return {};
+    } catch (const InputError& error) {
+        return error.what();
     }
 }
 
-/// Whether the comments at the head of a file have the key "kind", as those of a reference curve do.
-bool names_kind(const std::string& file) {
-    std::ifstream in(file);
-    std::string line;
-    while (std::getline(in, line) && line.find('#') != std::string::npos)
-        if (line.find("kind:") != std::string::npos) return true;
-    return false;
+/// A file of corners is sound if they are an outline, or the half of one.
+Finding check_corners(const std::string& file) {
+    const Outline corners = read_outline(file);
+    const std::string problem = outline_problem(corners, false);
+    const bool half = outline_problem(corners, true).empty();
+    if (!problem.empty() && !half) throw InputError(fmt::format("{}: {}", file, problem));
+    Box box{corners.front(), corners.front()};
+    for (const Vec2& corner : corners) {
+        box.low = box.low.cwiseMin(corner);
+        box.high = box.high.cwiseMax(corner);
+    }
+    return {fmt::format("outline of {} corners, x from {:g} to {:g} m, y from {:g} to {:g} m, {}",
+                        corners.size(), box.low.x(), box.high.x(), box.low.y(), box.high.y(),
+                        half ? "fit for 'mirrored = true'" : "not fit for 'mirrored = true'"),
+            {},
+            {},
+            {{"kind", "outline"}, {"corners", corners.size()}, {"half", half}}};
+}
+
+bool is_table(const std::string& file) {
+    std::string extension = fs::path(file).extension();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return extension == ".csv" || extension == ".tsv" || extension == ".txt" || extension == ".dat";
 }
 
 Finding check_file(const std::string& file) {
-    if (fs::path(file).extension() != ".csv") return check_scene(file);
-    return !fs::is_regular_file(file) || names_kind(file) ? check_curve(file) : check_outline(file);
+    if (!is_table(file)) return check_scene(file);
+    if (!fs::is_regular_file(file) || looks_like_reference(read_whole_file(file))) return check_curve(file);
+    try {
+        return check_corners(file);
+    } catch (const InputError& error) {  // the file may have been meant as the other kind of .csv
+        throw InputError(fmt::format("{} (a reference curve begins with '# kind: ...')", error.what()));
+    }
 }
 
 void print_json(const std::string& file, bool valid, json details) {

@@ -53,6 +53,8 @@ json series_of(const Scene& scene) {
                 {{"name", row.info.name}, {"unit", row.info.unit}, {"description", row.info.description}});
     };
     add(every_run_series());
+    add(analysed_series());
+    add(field_series(scene));
     if (!scene.bodies.empty()) {
         add(recorded_body_series());
         add(derived_body_series());
@@ -101,6 +103,7 @@ json description(const std::string& name, const std::optional<std::string>& vari
                 {"scheme_differences", json::array()},
                 {"series", series_of(scene)},
                 {"references", references_of(scene)},
+                {"unused_references", json::array()},
                 {"cost", costs_of(scene, path)}};
     if (scene.air) {
         all["air"] = material_json(scene.model.air);
@@ -113,6 +116,8 @@ json description(const std::string& name, const std::optional<std::string>& vari
                                  {"corners", body.outline.size()}});
     for (const Probe& probe : scene.probes)
         all["probes"].push_back({{"name", probe.series.name}, {"note", probe.note}});
+    for (const UnusedReference& unused : scene.analysis.unused_references)
+        all["unused_references"].push_back({{"reference", unused.file}, {"reason", unused.reason}});
     for (const Deviation& d : scene.analysis.deviations)
         all["deviations"].push_back(
             {{"item", d.item}, {"source", d.source}, {"used", d.used}, {"reason", d.reason}});
@@ -175,6 +180,9 @@ void print_references(const json& all) {
                                   : "  (curve not available: put it beside the scene file or at " +
                                         text(c["file"]) + ")");
     }
+    if (!all["unused_references"].empty()) fmt::print("\nReference files that no comparison uses\n");
+    for (const json& unused : all["unused_references"])
+        fmt::print("  {:34} {}\n", text(unused["reference"]), text(unused["reason"]));
     if (!all["scheme_differences"].empty())
         fmt::print("\nScheme of this variant: differences from the source, key by key\n");
     for (const json& d : all["scheme_differences"])

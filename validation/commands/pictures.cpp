@@ -28,25 +28,30 @@ std::vector<std::string> colours(Rgb (*map)(double)) {
 std::optional<double> time_scale(const AnalysisSpec& analysis) {
     if (analysis.comparisons.empty()) return std::nullopt;
     const double scale = analysis.comparisons.front().x_scale;
-    const bool one =
-        std::all_of(analysis.comparisons.begin(), analysis.comparisons.end(),
-                    [scale](const ComparisonSpec& c) { return c.x_scale == scale && c.x_offset == 0; });
+    const bool one = std::all_of(
+        analysis.comparisons.begin(), analysis.comparisons.end(),
+        [scale](const ComparisonSpec& c) { return c.x_scale == scale && c.x_offset == 0 && !c.event; });
     return one && scale != 1 && scale > 0 ? std::optional(scale) : std::nullopt;
 }
 
-/// Frames nearest to the scene's picture times (those further away than 2 % of the run are left out); of the
-/// default variant also frames at equal intervals, up to a dozen in all.
+/// The frame nearest to a time; none further away than 2 % of the run.
+const FrameEntry* frame_near(const Scene& scene, const std::vector<FrameEntry>& frames, double time) {
+    const auto nearest =
+        std::min_element(frames.begin(), frames.end(), [time](const FrameEntry& a, const FrameEntry& b) {
+            return std::abs(a.time - time) < std::abs(b.time - time);
+        });
+    const bool near = nearest != frames.end() && std::abs(nearest->time - time) <= 0.02 * scene.end_time;
+    return near ? &*nearest : nullptr;
+}
+
+/// Frames nearest to the scene's picture times; of the default variant also frames at equal intervals, up to
+/// a dozen in all.
 std::vector<const FrameEntry*> shown_frames(const Scene& scene, const RunRecord& record,
                                             const std::vector<FrameEntry>& frames) {
     constexpr std::size_t enough = 12;
     std::map<double, const FrameEntry*> shown;
     const auto take = [&](double time) {
-        const FrameEntry* nearest = nullptr;
-        for (const FrameEntry& frame : frames) {
-            if (!nearest || std::abs(frame.time - time) < std::abs(nearest->time - time)) nearest = &frame;
-        }
-        if (nearest && std::abs(nearest->time - time) <= 0.02 * scene.end_time)
-            shown.emplace(nearest->time, nearest);
+        if (const FrameEntry* frame = frame_near(scene, frames, time)) shown.emplace(frame->time, frame);
     };
     for (const double time : scene.picture_times) take(time);
     if (record.variant == scene.analysis.default_variant) {
@@ -89,25 +94,60 @@ std::vector<report::ColourBar> colour_bars(const RasterOptions& options) {
     return bars;
 }
 
+report::Picture picture_of(const Scene& scene, const RunRecord& record, const FrameEntry& frame) {
+    const RasterOptions options = raster_of(scene, record);
+    report::Picture picture;
+    picture.title =
+        fmt::format("{}, {}, dx {:.4g} m", scene.analysis.title, record.variant, record.particle_spacing);
+    picture.time = frame.time;
+    if (const std::optional<double> scale = time_scale(scene.analysis))
+        picture.scaled_time = frame.time / *scale;
+    picture.png = render_png(read_frame(frame.path), options);
+    picture.colour_bars = colour_bars(options);
+    return picture;
+}
+
+/// The value of a series that was taken with the field file of that time.
+std::optional<double> recorded_at(const RunRecord& record, const char* name, double time) {
+    const auto found = record.series.find(name);
+    if (found == record.series.end()) return std::nullopt;
+    const Series& series = found->second;
+    for (std::size_t k = 0; k < series.time.size(); ++k)
+        if (std::abs(series.time[k] - time) <= 1e-6 * std::abs(time)) return series.value[k];
+    return std::nullopt;
+}
+
+std::string defects_at(const RunRecord& record, double time) {
+    std::string out;
+    if (const auto area = recorded_at(record, "void_area", time))
+        out += fmt::format("; void area {:.3g} m^2", *area);
+    for (const auto& [name, meaning] : {std::pair("water_in_air", "water particles in air"),
+                                        std::pair("air_in_water", "air particles in water"),
+                                        std::pair("particles_in_bodies", "particles in the body")})
+        if (const auto number = recorded_at(record, name, time))
+            out += fmt::format("; {} {}", *number, meaning);
+    return out;
+}
+
 }  // namespace
 
 std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
                                             const std::filesystem::path& run_directory) {
     const std::vector<FrameEntry> frames = list_frames(run_directory);
-    const RasterOptions options = raster_of(scene, record);
-    const std::optional<double> scale = time_scale(scene.analysis);
     std::vector<report::Picture> pictures;
-    for (const FrameEntry* frame : shown_frames(scene, record, frames)) {
-        report::Picture picture;
-        picture.title =
-            fmt::format("{}, {}, dx {:.4g} m", scene.analysis.title, record.variant, record.particle_spacing);
-        picture.time = frame->time;
-        if (scale) picture.scaled_time = frame->time / *scale;
-        picture.png = render_png(read_frame(frame->path), options);
-        picture.colour_bars = colour_bars(options);
-        pictures.push_back(std::move(picture));
-    }
+    for (const FrameEntry* frame : shown_frames(scene, record, frames))
+        pictures.push_back(picture_of(scene, record, *frame));
     return pictures;
+}
+
+std::optional<report::Picture> field_picture_at(const Scene& scene, const RunRecord& record,
+                                                const std::filesystem::path& run_directory, double time) {
+    const std::vector<FrameEntry> frames = list_frames(run_directory);
+    const FrameEntry* frame = frame_near(scene, frames, time);
+    if (!frame) return std::nullopt;
+    report::Picture picture = picture_of(scene, record, *frame);
+    picture.title += defects_at(record, frame->time);
+    return picture;
 }
 
 }  // namespace wetdeck

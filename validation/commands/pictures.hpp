@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,10 @@ namespace wetdeck {
 /// air.
 std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
                                             const std::filesystem::path& run_directory);
+
+/// The frame nearest to `time` [s], with the voids, mixed particles and penetration recorded with it in the
+/// title; empty if none is within 2 % of the run.
+std::optional<report::Picture> field_picture_at(const Scene& scene, const RunRecord& record,
+                                                const std::filesystem::path& run_directory, double time);
 
 }  // namespace wetdeck

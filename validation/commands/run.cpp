@@ -7,6 +7,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
+#include "validation/commands/references.hpp"
 #include "validation/commands/run_outcome.hpp"
 #include "validation/jobs/plan.hpp"
 #include "validation/run/stop_signal.hpp"
@@ -36,6 +37,7 @@ int run_command(const RunCommand& options) {
     catch_stop_signals();
     const Scene scene = read_scene(find_scene(options.scene), options.choice.variant, options.overrides);
     for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+    check_references(scene);
     RunOptions run;
     run.particle_spacing =
         options.choice.particle_spacing ? *options.choice.particle_spacing : finest_quick_spacing(scene);

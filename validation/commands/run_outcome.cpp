@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "validation/metrics/flow_flags.hpp"
+#include "validation/metrics/time_origin.hpp"
 #include "validation/run/exit_code.hpp"
 
 namespace wetdeck {
@@ -65,7 +66,12 @@ int run_and_print(const Scene& scene, RunOptions run, const Resources& resources
     run.checkpoint_interval = resources.checkpoint_interval;
     Progress progress(fmt::format("{} {} dx {}", scene.name(), scene.variant, run.particle_spacing),
                       verbosity.quiet);
-    return print_outcome(run_scene(scene, run, progress), run.directory, verbosity);
+    const RunRecord record = run_scene(scene, run, progress);
+    const int exit_code = print_outcome(record, run.directory, verbosity);
+    std::fflush(stdout);
+    for (const std::string& doubt : doubtful_origins(scene.analysis, record))
+        fmt::print(stderr, "doubt: {}\n", doubt);
+    return exit_code;
 }
 
 }  // namespace wetdeck

@@ -177,6 +177,21 @@ report::Runs finest_runs(const Summary& summary) {
     return all;
 }
 
+/// Pictures of the variants that a scene wants beside each other. The set-up of each is that of its variant.
+void add_side_by_side(const AnalysisSpec& spec, const Summary& summary, const fs::path& directory,
+                      report::ReportInputs& inputs) {
+    for (const SideBySide& entry : spec.side_by_side) {
+        if (!entry.time) continue;
+        std::vector<report::Picture>& pictures = inputs.side_by_side[{spec.scene, entry.title}];
+        for (const RunSummary* run : report::side_by_side_runs(report::runs_of(summary, spec), entry)) {
+            const RunRecord& r = run->record;
+            const Scene scene = parse_scene(r.scene_text, r.scene_path, r.variant);
+            if (auto picture = field_picture_at(scene, r, directory / run->directory, *entry.time))
+                pictures.push_back(std::move(*picture));
+        }
+    }
+}
+
 }  // namespace
 
 void write_suite_plan(const fs::path& directory, const std::string& tier,
@@ -228,9 +243,19 @@ Summary make_report(const fs::path& directory) {
         inputs.pictures[run->directory] =
             field_pictures(scenes.at(run->record.scene), run->record, directory / run->directory);
     }
+    for (const AnalysisSpec& spec : report::scenes_of(summary))
+        add_side_by_side(spec, summary, directory, inputs);
     atomic_write(directory / "summary.json", summary_json(summary, program).dump(1) + "\n");
     report::write_report(directory, summary, inputs);
     return summary;
+}
+
+std::vector<std::string> unusable_curves(const Summary& summary) {
+    std::set<std::string> curves;
+    for (const RunSummary& run : summary.runs)
+        for (const ComparisonResult& c : run.comparisons)
+            if (c.unusable) curves.insert(fmt::format("comparison '{}' is left out: {}", c.title, c.note));
+    return {curves.begin(), curves.end()};
 }
 
 std::vector<std::string> outside_tolerance(const Summary& summary) {

@@ -26,6 +26,9 @@ Summary make_report(const std::filesystem::path& directory);
 void write_suite_plan(const std::filesystem::path& directory, const std::string& tier,
                       const std::vector<std::string>& run_directories);
 
+/// "comparison 'TITLE' is left out: ..." for each whose reference is there but cannot be used.
+std::vector<std::string> unusable_curves(const Summary& summary);
+
 /// Names of the claims of problems with exact solutions, and of the available comparisons and expected
 /// quantities of the finest spacing of each variant, that lie outside their tolerance. Variants that are
 /// expected to become unstable are left out.

@@ -9,6 +9,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
+#include "validation/commands/references.hpp"
 #include "validation/commands/report.hpp"
 #include "validation/commands/stored_report.hpp"
 #include "validation/jobs/local.hpp"
@@ -98,6 +99,7 @@ int run_one_row(const SuiteOptions& options, std::size_t number) {
     if (number >= rows.size())
         throw InputError(
             fmt::format("--row is {}, expected one of 0 to {}, see --plan", number, rows.size() - 1));
+    check_references({rows[number]});
     return run_rows({rows[number]}, local_options(options));
 }
 
@@ -110,6 +112,7 @@ int run_suite(SuiteOptions options) {
     if (options.row_number) return run_one_row(options, *options.row_number);
     const std::vector<SuiteRow> rows = suite_rows(plan);
     print_doubts(rows);
+    check_references(rows);
     std::vector<std::string> planned;
     for (const SuiteRow& row : rows) planned.push_back(fs::relative(row.directory, plan.directory).string());
     write_suite_plan(plan.directory, plan.tier, planned);

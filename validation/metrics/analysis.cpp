@@ -11,10 +11,14 @@
 #include "validation/metrics/conservation.hpp"
 #include "validation/metrics/convergence.hpp"
 #include "validation/metrics/curve_convergence.hpp"
+#include "validation/metrics/energy_budget.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/metrics/reference_use.hpp"
 #include "validation/metrics/resample.hpp"
 #include "validation/metrics/speed_error.hpp"
+#include "validation/metrics/statements.hpp"
 #include "validation/metrics/statistics.hpp"
+#include "validation/metrics/time_origin.hpp"
 #include "validation/metrics/validation.hpp"
 
 namespace wetdeck {
@@ -30,6 +34,12 @@ void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& ref
         if (stopped_early(run.record) && !result.nrmse) result.available = false;
         run.comparisons.push_back(std::move(result));
     }
+}
+
+void add_doubts(const AnalysisSpec& spec, const RunRecord& record, std::vector<OriginDoubt>& doubts) {
+    for (const std::string& sentence : doubtful_origins(spec, record))
+        doubts.push_back({record.scene, record.variant, record.particle_spacing,
+                          provenance_entry(record, "overrides"), sentence});
 }
 
 /// Identity of the set-up by scene and variant: that of the run that was started last.
@@ -90,7 +100,7 @@ void add_curve_convergence(const AnalysisSpec& spec, Summary& summary) {
         std::map<std::string, std::map<double, Curve>> variants;
         for (const RunSummary& run : summary.runs) {
             if (!applies(spec, run.record) || !counts(run)) continue;
-            SeriesCurve series = series_curve(run.record, comparison.quantity, comparison);
+            SeriesCurve series = compared_series(comparison, run.record);
             if (series.problem.empty())
                 variants[run.record.variant][run.record.particle_spacing] = std::move(series.curve);
         }
@@ -154,14 +164,20 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
     for (RunSummary& run : summary.runs) {
         run.energy_error = energy_error(run.record);
         run.momentum_error = momentum_error(run.record);
+        add_energy_loss(run.record);
     }
+    for (SensitivityRun& varied : sensitivity_runs) add_energy_loss(varied.run.record);
     for (const AnalysisSpec& spec : scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         for (RunSummary& run : summary.runs) {
-            if (applies(spec, run.record)) evaluate_run(spec, run, references);
+            if (!applies(spec, run.record)) continue;
+            evaluate_run(spec, run, references);
+            add_doubts(spec, run.record, summary.doubts);
         }
         for (SensitivityRun& varied : sensitivity_runs) {
-            if (applies(spec, varied.run.record)) evaluate_run(spec, varied.run, references);
+            if (!applies(spec, varied.run.record)) continue;
+            evaluate_run(spec, varied.run, references);
+            add_doubts(spec, varied.run.record, summary.doubts);
         }
         add_convergence(spec, summary);
         add_curve_convergence(spec, summary);
@@ -169,10 +185,12 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
         append(summary.scatter, scatter_points(spec, summary.runs));
     }
-    for (const AnalysisSpec& spec : summary.scenes) {
+    for (AnalysisSpec& spec : summary.scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
+        find_source_curves(spec, reference_directory / spec.scene);
         append(summary.cheapest, cheapest_rows(summary.runs, spec));
         append(summary.peers, peer_points(spec, references));
+        append(summary.statements, judge_statements(spec, summary.runs));
         if (spec.error_quantity.empty()) continue;
         append(summary.speed_error, speed_error_points(summary.runs, spec, summary.convergence));
     }

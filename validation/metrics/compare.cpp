@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "validation/metrics/curve_metrics.hpp"
+#include "validation/metrics/reference_curve.hpp"
 #include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
@@ -44,6 +45,31 @@ std::optional<Window> comparison_window(ComparisonResult& result, const RunRecor
     return overlap(result.simulated, *known);
 }
 
+constexpr const char* no_peak = "has its largest value at an end, there is no peak to align";
+
+/// Shifts the curve until its largest value is at zero and returns where that was; nothing, and no curve is
+/// left, if it lies at an end.
+std::optional<double> align_peak(Curve& curve) {
+    const std::size_t top = curve.x.empty() ? 0 : index_of_maximum(curve);
+    if (top == 0 || top + 1 == curve.x.size()) {
+        curve = {};
+        return std::nullopt;
+    }
+    const double peak = curve.x[top];
+    for (double& x : curve.x) x -= peak;
+    return peak;
+}
+
+/// Whether the reference could be aligned, as the series was; a note tells by how much both were shifted.
+bool align_reference(ComparisonResult& result, double origin_of_series) {
+    const std::optional<double> peak = align_peak(result.measured);
+    add_note(result, peak ? fmt::format("aligned on the peaks, {:.4g} of the series and {:.4g} of the "
+                                        "reference on their own axes",
+                                        origin_of_series, *peak)
+                          : fmt::format("the reference {}", no_peak));
+    return peak.has_value();
+}
+
 void compute_metrics(ComparisonResult& result, const Window& window) {
     const Curve simulated = clip(result.simulated, window);
     const Curve measured = clip(result.measured, window);
@@ -63,7 +89,32 @@ void compute_metrics(ComparisonResult& result, const Window& window) {
     if (m > 0 && m + 1 < measured.x.size()) result.time_error = simulated.x[s] - measured.x[m];
 }
 
+void take_reference(ComparisonResult& result, const ComparisonSpec& spec, ReferenceShelf& references) {
+    ReferenceCurve found = reference_curve(request_of(spec), references);
+    result.available = found.problem.empty();
+    result.unusable = found.unusable;
+    add_note(result, found.problem);
+    if (!result.available) return;
+    result.measured = std::move(found.curve);
+    result.kind = found.reference->kind;
+    result.citation = found.reference->citation;
+    result.reference_uncertainty = found.reference->u_data;
+    result.reference_hash = found.reference->hash;
+    if (found.empty_cells > 0)
+        add_note(result,
+                 fmt::format("{} empty cells of column '{}' left out", found.empty_cells, spec.y_column));
+}
+
 }  // namespace
+
+SeriesCurve compared_series(const ComparisonSpec& spec, const RunRecord& record) {
+    SeriesCurve series = series_curve(record, spec.quantity, spec);
+    if (!spec.align_peaks || !series.problem.empty()) return series;
+    const std::optional<double> peak = align_peak(series.curve);
+    if (!peak) series.problem = fmt::format("series '{}' {}", spec.quantity, no_peak);
+    series.origin = peak.value_or(0);
+    return series;
+}
 
 ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, ReferenceShelf& references) {
     ComparisonResult result;
@@ -75,26 +126,16 @@ ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, Re
     result.y_label = spec.y_label;
     result.window = spec.window;
 
-    SeriesCurve series = series_curve(record, spec.quantity, spec);
+    SeriesCurve series = compared_series(spec, record);
     result.simulated = std::move(series.curve);
     add_note(result, series.problem);
 
-    const Reference* reference = references.find(spec.reference);
-    if (reference == nullptr) {
-        result.available = false;
-        add_note(result, curve_not_available(spec.reference));
-        return result;
-    }
-    result.kind = reference->kind;
-    result.citation = reference->citation;
-    result.reference_uncertainty = reference->u_data;
-    result.reference_hash = reference->hash;
-    result.measured = scaled_reference(*reference, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
-    if (const auto empty = find_column(*reference, spec.y_column).empty_cells; empty > 0) {
-        add_note(result, fmt::format("{} empty cells of column '{}' left out", empty, spec.y_column));
-    }
+    take_reference(result, spec, references);
+    if (!result.available) return result;
     if (!series.problem.empty()) return result;
+    if (spec.align_peaks && !align_reference(result, series.origin)) return result;
     if (const auto window = comparison_window(result, record)) compute_metrics(result, *window);
+    if (spec.align_peaks) result.time_error.reset();  // the alignment has taken it out
     return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wetdeck {
 namespace {
@@ -39,6 +40,14 @@ std::optional<EnergyChanges> energy_changes(const RunRecord& record) {
     for (std::size_t i = 0; i < changes.total.y.size(); ++i)
         changes.total.y[i] += changes.potential.y[i] + changes.compression.y[i];
     return changes;
+}
+
+void add_energy_loss(RunRecord& record) {
+    const std::optional<EnergyChanges> changes = energy_changes(record);
+    if (!changes) return;
+    Series loss{"-", energy_loss_description, changes->total.x, changes->total.y, {}};
+    for (double& value : loss.value) value = -value;
+    record.series.try_emplace(energy_loss_name, std::move(loss));
 }
 
 std::optional<double> relative_drift(const RunRecord& record, const std::string& name) {

@@ -19,6 +19,16 @@ struct EnergyChanges {
 /// energy starts from zero.
 std::optional<EnergyChanges> energy_changes(const RunRecord& record);
 
+/// The series that add_energy_loss() makes.
+inline constexpr const char* energy_loss_name = "energy_loss";
+inline constexpr const char* energy_loss_description =
+    "energy that all fluid has lost since the start, over its potential energy then; work of bodies not "
+    "taken out; made of the energies by the analysis, not stored";
+
+/// Adds the series energy_loss [-], (E(0) - E(t)) / |E_potential(0)| with E the sum of the three energies, to
+/// a record that lacks it. Without energy_changes() nothing is added.
+void add_energy_loss(RunRecord& record);
+
 /// Largest |y(t) / y(0) - 1| of a scalar series; empty without the series or if it starts from zero.
 std::optional<double> relative_drift(const RunRecord& record, const std::string& series);
 

@@ -61,6 +61,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ValidationRow, scene, variant, quantity, unit
                                    verdict)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensitivityRow, scene, variant, dx, quantity, key, low, high, uncertainty,
                                    value_low, value_high, u_input)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OriginDoubt, scene, variant, dx, overrides, sentence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerPoint, scene, name, reference, error, core_s, conditions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SpeedErrorPoint, scene, variant, dx, core_s, error, against, pareto)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AblationRow, scene, dx, ingredient, core_s_ratio, error_change, needed)
@@ -83,6 +84,15 @@ inline void to_json(nlohmann::json& j, const ClassStatistics& row) {
          {"sigma_data", row.sigma_data},
          {"sigma_model", row.sigma_model}};
 }
+/// An end that is infinite is null.
+inline void to_json(nlohmann::json& j, const StatementResult& row) {
+    j = {
+        {"scene", row.scene},     {"statement", row.says},  {"variant", row.variant},
+        {"against", row.against}, {"measure", row.measure}, {"dx", number(row.dx)},
+        {"value", row.value},     {"unit", row.unit},       {"interval", {number(row.low), number(row.high)}},
+        {"holds", row.holds()},   {"note", row.note}};
+}
+
 inline void to_json(nlohmann::json& j, const StressRow& row) {
     j = {{"case", row.stress_case}, {"setting", row.setting}, {"survived", row.survived}, {"note", row.note}};
     if (!row.picture.empty()) j["picture"] = row.picture;

@@ -5,10 +5,11 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <set>
 
 #include "solver/core/errors.hpp"
 #include "validation/analytic/curves.hpp"
+#include "validation/metrics/reference_curve.hpp"
+#include "validation/metrics/reference_use.hpp"
 #include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
@@ -26,10 +27,9 @@ MetricResult evaluate(const QuantitySpec& spec, const RunRecord& record, Referen
                             curve.x.back(), window.begin, window.end)};
     Curve measured;
     if (needs.reference) {
-        const Reference* reference = references.find(spec.reference);
-        if (reference == nullptr) return {{}, curve_not_available(spec.reference)};
-        measured = scaled_reference(*reference, reference->columns.front().name, spec.y_column, spec.x_scale,
-                                    spec.y_scale);
+        ReferenceCurve found = reference_curve(request_of(spec), references);
+        if (!found.problem.empty()) return {{}, found.problem};
+        measured = std::move(found.curve);
         if (!covers(measured, window))
             return {{}, fmt::format("reference '{}' does not cover the window", spec.reference)};
     }
@@ -44,28 +44,32 @@ std::filesystem::path reference_file(const std::string& stem, const std::filesys
     return !own.empty() && std::filesystem::exists(own / name) ? own / name : directory / name;
 }
 
+std::optional<Reference> ReferenceShelf::read(const std::string& stem) const {
+    if (is_analytic(stem)) return parse_reference(stem, analytic_reference(stem));
+    const std::filesystem::path path = reference_file(stem, own_, directory_);
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    return load_reference(path);
+}
+
 const Reference* ReferenceShelf::find(const std::string& stem) {
     auto found = files_.find(stem);
     if (found == files_.end()) {
-        const std::filesystem::path path = reference_file(stem, own_, directory_);
-        std::optional<Reference> reference;
-        if (is_analytic(stem)) {
-            reference = parse_reference(stem, analytic_reference(stem));
-        } else if (std::filesystem::exists(path)) {
-            reference = load_reference(path);
+        Entry entry;
+        try {
+            entry.reference = read(stem);
+        } catch (const DataError& error) {
+            entry.problem = error.what();
         }
-        found = files_.emplace(stem, std::move(reference)).first;
+        found = files_.emplace(stem, std::move(entry)).first;
     }
-    return found->second ? &*found->second : nullptr;
+    const Entry& entry = found->second;
+    if (!entry.problem.empty()) throw DataError(entry.problem);
+    return entry.reference ? &*entry.reference : nullptr;
 }
 
 std::string reference_hashes(const AnalysisSpec& scene, const std::filesystem::path& directory) {
-    std::set<std::string> stems;
-    for (const QuantitySpec& quantity : scene.quantities) stems.insert(quantity.reference);
-    for (const ComparisonSpec& comparison : scene.comparisons) stems.insert(comparison.reference);
-    stems.erase("");
     std::string out;
-    for (const std::string& stem : stems) {
+    for (const std::string& stem : references_in_use(scene)) {
         const std::string hash = file_hash(reference_file(stem, scene.folder, directory));
         if (!hash.empty()) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", stem, hash);
     }

@@ -30,8 +30,14 @@ class ReferenceShelf {
     const Reference* find(const std::string& stem);
 
   private:
+    std::optional<Reference> read(const std::string& stem) const;
+
     std::filesystem::path directory_, own_;
-    std::map<std::string, std::optional<Reference>> files_;
+    struct Entry {
+        std::optional<Reference> reference;
+        std::string problem;  ///< of a file that is not sound
+    };
+    std::map<std::string, Entry> files_;
 };
 
 /// "stem fnv1a64:..., ..." of every reference file that the scene names and that exists, in order.
@@ -51,9 +57,9 @@ const char* missing_key(const QuantitySpec& spec);
 
 /// Takes the quantity from the run: its metric over the scaled series y(x), in its window (the whole series
 /// if there is none). The value is empty, with a note, where the series is missing or not sound, the
-/// reference is missing, the threshold is not reached, or the series covers less than `required_coverage` of
-/// a window that the metric needs whole. Throws InputError for a key that the metric needs and the
-/// specification lacks.
+/// reference is missing, not sound or of another dimension, the threshold is not reached, or the series
+/// covers less than `required_coverage` of a window that the metric needs whole. Throws InputError for a key
+/// that the metric needs and the specification lacks.
 QuantityResult evaluate_quantity(const QuantitySpec& spec, const RunRecord& record,
                                  ReferenceShelf& references);
 

@@ -7,14 +7,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "solver/core/errors.hpp"
+#include "validation/metrics/units.hpp"
 #include "validation/store/hash.hpp"
+#include "validation/store/text_table.hpp"
 #include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
@@ -22,31 +23,68 @@ namespace {
 
 constexpr std::uintmax_t largest_file = 20'000'000;
 constexpr std::array origins{"tabulated", "digitised", "computed", "stated"};
-constexpr std::array units{"-",   "m",     "s",   "Pa",    "N",  "N/m",  "N s/m", "J/m",
-                           "m/s", "m/s^2", "rad", "rad/s", "Hz", "kg/m", "kg/m^3"};
 constexpr std::array required_keys{
     "kind",   "citation",      "doi",    "figure", "obtained", "obtained_from", "date", "digitisation_error",
     "u_data", "u_data_source", "sensor", "filter", "sign",     "time_origin",   "note"};
+
+/// Those that no remark in a file of corners has.
+constexpr std::array telling_keys{"kind", "obtained", "u_data", "digitisation_error", "time_origin"};
 
 template <typename List>
 bool contains(const List& list, std::string_view word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-std::string_view trim(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+/// "name [unit]" in its parts; a cell of another form has no unit.
+struct ColumnTitle {
+    std::string_view name, unit;
+    bool has_unit = false;
+};
+
+ColumnTitle title_in(std::string_view cell) {
+    const std::size_t open = cell.find('[');
+    if (open == std::string_view::npos || cell.back() != ']') return {cell, {}, false};
+    return {trimmed(cell.substr(0, open)), trimmed(cell.substr(open + 1, cell.size() - open - 2)), true};
 }
 
-std::vector<std::string_view> split(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (std::size_t comma; (comma = line.find(',')) != std::string_view::npos;
-         line.remove_prefix(comma + 1)) {
-        cells.push_back(trim(line.substr(0, comma)));
-    }
-    cells.push_back(trim(line));
+std::vector<std::string_view> titles_of(std::string_view line, char separator) {
+    std::vector<std::string_view> cells = cells_of(line, separator);
+    drop_empty_end(cells, 1);
     return cells;
+}
+
+/// The separator that leaves one unit to each cell: "t [s];p, filtered [Pa]" has two columns.
+char separator_of_titles(std::string_view line) {
+    for (const char separator : {',', ';', '\t'}) {
+        const std::vector<std::string_view> cells = titles_of(line, separator);
+        const bool all = std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
+            return title_in(cell).has_unit && std::count(cell.begin(), cell.end(), '[') == 1;
+        });
+        if (all && (cells.size() > 1 || trimmed(line).find_first_of(",;\t") == std::string_view::npos))
+            return separator;
+    }
+    if (line.find(';') != std::string_view::npos) return ';';
+    return line.find(',') != std::string_view::npos || line.find('\t') == std::string_view::npos ? ',' : '\t';
+}
+
+bool has_titles_of_curves(std::string_view line) {
+    const std::vector<std::string_view> cells = titles_of(line, separator_of_titles(line));
+    const auto is_title = [](std::string_view cell) { return title_in(cell).has_unit; };
+    if (!std::all_of(cells.begin(), cells.end(), is_title)) return false;
+    const auto is_length = [](std::string_view cell) {
+        try {
+            return same_dimension(unit_named(std::string(title_in(cell).unit)), unit_named("m"));
+        } catch (const InputError&) {
+            return false;
+        }
+    };
+    return cells.size() != 2 || !std::all_of(cells.begin(), cells.end(), is_length);
+}
+
+/// Without the separators that spreadsheets add at the end of a line.
+std::string_view without_separators_at_end(std::string_view text) {
+    const std::size_t last = text.find_last_not_of(",; \t\r");
+    return last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
 }
 
 bool is_utf8(std::string_view text) {
@@ -85,17 +123,17 @@ std::string file_text(const std::filesystem::path& path) {
 /// Reads the lines of one file; every error names the file and the line.
 class Reader {
   public:
-    Reader(const std::filesystem::path& path, std::string_view text) : rest_(text) {
+    Reader(const std::filesystem::path& path, std::string_view text) : lines_(path.string(), text) {
         reference_.path = path;
         reference_.hash = hash_of(text);
-        if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);  // byte order mark of spreadsheets
     }
 
     Reference read() {
-        while (next_line()) {
-            if (line_.empty()) continue;
-            if (line_.front() == '#' && reference_.columns.empty()) {
-                read_key();
+        while (lines_.next()) {
+            const std::string_view line = trimmed(lines_.line());
+            if (line.empty()) continue;
+            if (reference_.columns.empty() && unquoted_hash(line)) {
+                read_key(line);
             } else if (reference_.columns.empty()) {
                 check_keys();
                 read_column_names();
@@ -110,25 +148,21 @@ class Reader {
     }
 
   private:
-    [[noreturn]] void fail(const std::string& what) const {
-        throw DataError(fmt::format("{}:{}: {}", reference_.path.string(), line_number_, what));
+    [[noreturn]] void fail(const std::string& what) const { lines_.fail(what); }
+
+    /// Spreadsheets put quotes around a line that holds a comma.
+    static bool unquoted_hash(std::string_view line) {
+        return line.starts_with('#') || line.starts_with("\"#");
     }
 
-    bool next_line() {
-        if (rest_.empty()) return false;
-        ++line_number_;
-        const auto end = rest_.find('\n');
-        line_ = trim(rest_.substr(0, end));
-        rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-        return true;
-    }
-
-    void read_key() {
-        const auto colon = line_.find(':');
-        if (colon == std::string_view::npos) fail("a header line without a key, expected '# key: value'");
-        const std::string key{trim(line_.substr(1, colon - 1))};
-        const std::string value{trim(line_.substr(colon + 1))};
-        if (!is_utf8(line_)) fail("not UTF-8 text");
+    void read_key(std::string_view line) {
+        if (!is_utf8(line)) fail("not UTF-8 text");
+        line = without_separators_at_end(line);
+        if (line.starts_with('"')) line = line.substr(1, line.size() - (line.ends_with('"') ? 2 : 1));
+        const auto colon = line.find(':');
+        if (colon == std::string_view::npos) return;  // a comment
+        const std::string key{trimmed(line.substr(1, colon - 1))};
+        const std::string value{trimmed(line.substr(colon + 1))};
         if (value.empty()) fail(fmt::format("key '{}' has no value", key));
         if (!reference_.keys.emplace(key, value).second) fail(fmt::format("key '{}' is given twice", key));
         if (key == "kind") check_word(key, value, reference_kind_names());
@@ -160,64 +194,86 @@ class Reader {
     }
 
     void read_column_names() {
-        if (!is_utf8(line_)) fail("not UTF-8 text");
-        for (const std::string_view cell : split(line_)) {
-            const auto open = cell.find('[');
-            if (open == std::string_view::npos || cell.back() != ']') {
-                fail(fmt::format("column '{}' has no unit, expected 'name [unit]'", cell));
-            }
-            Column column;
-            column.name = trim(cell.substr(0, open));
-            column.unit = trim(cell.substr(open + 1, cell.size() - open - 2));
-            if (column.name.empty())
-                fail(fmt::format("column '{}' has no name, expected 'name [unit]'", cell));
-            if (!contains(units, column.unit)) {
-                fail(fmt::format("column '{}' has the unknown unit '{}', expected one of {}", column.name,
-                                 column.unit, fmt::join(units, ", ")));
-            }
-            for (const Column& other : reference_.columns) {
-                if (other.name == column.name) fail(fmt::format("column '{}' is given twice", column.name));
-            }
-            reference_.columns.push_back(std::move(column));
+        std::string_view line = lines_.line();
+        if (!is_utf8(line)) fail("not UTF-8 text");
+        const std::size_t last_unit = std::min(line.rfind(']'), line.size());  // '#' may be part of a name
+        line = line.substr(0, last_unit + without_comment(line.substr(last_unit)).size());
+        separator_ = separator_of_titles(line);
+        for (const std::string_view cell : titles_of(line, separator_)) add_column(cell);
+    }
+
+    void add_column(std::string_view cell) {
+        const ColumnTitle title = title_in(cell);
+        if (!title.has_unit) fail(fmt::format("column '{}' has no unit, expected 'name [unit]'", cell));
+        if (title.name.empty()) fail(fmt::format("column '{}' has no name, expected 'name [unit]'", cell));
+        Column column;
+        column.name = title.name;
+        column.given_unit = title.unit;
+        try {
+            const Unit unit = unit_named(column.given_unit);
+            column.unit =
+                unit.factor == 1 && unit.powers != Powers{} ? column.given_unit : si_name(unit.powers);
+            factors_.push_back(unit.factor);
+        } catch (const InputError& error) {
+            fail(fmt::format("column '{}' has the {}", column.name, error.what()));
         }
+        for (const Column& other : reference_.columns) {
+            if (other.name == column.name) fail(fmt::format("column '{}' is given twice", column.name));
+        }
+        reference_.columns.push_back(std::move(column));
     }
 
     void read_row() {
-        const auto cells = split(line_);
+        std::vector<std::string_view> cells = cells_of(without_comment(lines_.line()), separator_);
         auto& columns = reference_.columns;
-        if (cells.size() != columns.size()) {
-            fail(fmt::format("{} cells, expected {}", cells.size(), columns.size()));
-        }
+        drop_empty_end(cells);
+        if (cells.empty()) return;
+        if (cells.size() < columns.size()) restore_empty_end(cells);
+        if (cells.size() != columns.size()) fail_on_cells(cells);
         if (cells.front().empty()) fail(fmt::format("the abscissa '{}' is empty", columns.front().name));
         for (std::size_t i = 0; i < cells.size(); ++i) {
             if (cells[i].empty()) {
                 ++columns[i].empty_cells;
                 columns[i].values.push_back(std::numeric_limits<double>::quiet_NaN());
             } else {
-                columns[i].values.push_back(number(cells[i], columns[i].name));
+                columns[i].values.push_back(factors_[i] * number(cells[i], columns[i].name));
             }
         }
         const auto& x = columns.front().values;
         if (x.size() > 1 && x.back() <= x[x.size() - 2]) {
             fail(fmt::format("{} is {} after {}, expected a strictly increasing abscissa",
-                             columns.front().name, x.back(), x[x.size() - 2]));
+                             columns.front().name, x.back() / factors_[0], x[x.size() - 2] / factors_[0]));
         }
+    }
+
+    /// The empty cells of columns, as far as the line has separators for them.
+    void restore_empty_end(std::vector<std::string_view>& cells) const {
+        const std::size_t written = cells_of(without_comment(lines_.line()), separator_).size();
+        cells.resize(std::min(written, reference_.columns.size()));
+    }
+
+    [[noreturn]] void fail_on_cells(const std::vector<std::string_view>& cells) const {
+        const std::size_t expected = reference_.columns.size();
+        std::string hint;
+        if (cells.size() == 2 * expected && separator_ == ',')
+            hint = ", or decimal commas, which are not read";
+        else if (cells.size() == 1)
+            hint = fmt::format(" between {}, as in the column names", separator_name(separator_));
+        fail(fmt::format("{} cell{}, expected {}{}", cells.size(), cells.size() == 1 ? "" : "s", expected,
+                         hint));
     }
 
     double number(std::string_view cell, std::string_view name) const {
-        double value = 0;
-        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        if (error != std::errc{} || end != cell.data() + cell.size()) {
-            fail(fmt::format("{} is '{}', expected a number", name, cell));
-        }
-        if (!std::isfinite(value)) fail(fmt::format("{} is '{}', expected a finite number", name, cell));
-        return value;
+        const std::optional<double> value = number_in(cell);
+        if (!value) fail(fmt::format("{} is '{}', expected a number{}", name, cell, reading_hint(cell)));
+        if (!std::isfinite(*value)) fail(fmt::format("{} is '{}', expected a finite number", name, cell));
+        return *value;
     }
 
-    std::string_view rest_;
-    std::string_view line_;
-    std::size_t line_number_ = 0;
+    TextLines lines_;
     Reference reference_;
+    char separator_ = ',';
+    std::vector<double> factors_;  ///< SI units in one unit of each column
 };
 
 }  // namespace
@@ -229,6 +285,21 @@ Reference load_reference(const std::filesystem::path& path) {
 
 Reference parse_reference(const std::string& name, std::string_view text) {
     return Reader(name, text).read();
+}
+
+bool looks_like_reference(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::size_t hash = line.find_first_not_of("\" ");
+        if (line.empty() || hash == std::string_view::npos) continue;
+        if (line[hash] != '#') return has_titles_of_curves(line);
+        const std::string_view key = trimmed(line.substr(hash + 1, line.find(':') - hash - 1));
+        if (line.find(':') != std::string_view::npos && contains(telling_keys, key)) return true;
+    }
+    return false;
 }
 
 std::string file_hash(const std::filesystem::path& path) {

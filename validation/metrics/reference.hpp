@@ -20,7 +20,8 @@ namespace wetdeck {
 struct Column {
     std::string name;
     std::string unit;            ///< SI, or "-" for a value that is scaled already
-    std::vector<double> values;  ///< NaN where the cell is empty
+    std::string given_unit;      ///< as the file has it
+    std::vector<double> values;  ///< in `unit`; NaN where the cell is empty
     std::size_t empty_cells = 0;
 };
 
@@ -41,6 +42,10 @@ Reference load_reference(const std::filesystem::path& path);
 
 /// The same for a text in that format; `name` replaces the path in messages.
 Reference parse_reference(const std::string& name, std::string_view text);
+
+/// Whether a text means to be a reference file, sound or not: it has a key of the header, or names of columns
+/// with units that an outline does not have (another number of columns than two, or no lengths).
+bool looks_like_reference(std::string_view text);
 
 /// The same hash without reading further; empty if there is no such file.
 std::string file_hash(const std::filesystem::path& path);

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/metrics/time_origin.hpp"
+
 namespace wetdeck {
 
 namespace {
 
 /// The row of a profile nearest to the instant.
-SeriesCurve profile_row(const Series& series, const std::string& name, const SeriesScaling& scaling) {
+SeriesCurve profile_row(const Series& series, const std::string& name, const SeriesScaling& scaling,
+                        double x_offset) {
     const double instant = *scaling.instant;
     if (instant < series.time.front() || instant > series.time.back()) {
         return {{},
@@ -28,7 +31,7 @@ SeriesCurve profile_row(const Series& series, const std::string& name, const Ser
         if (!std::isfinite(y))
             return {{},
                     fmt::format("series '{}' is not finite at column {}, t = {:.6g} s", name, k, instant)};
-        result.curve.x.push_back((series.abscissa[k] - scaling.x_offset) / scaling.x_scale);
+        result.curve.x.push_back((series.abscissa[k] - x_offset) / scaling.x_scale);
         result.curve.y.push_back(y);
     }
     return result;
@@ -49,10 +52,13 @@ SeriesCurve series_curve(const RunRecord& record, const std::string& name, const
                 fmt::format("series '{}' has {} times and {} values", name, series.time.size(),
                             series.value.size())};
     }
-    if (profile) return profile_row(series, name, scaling);
+    const FoundOrigin origin = find_origin(record, scaling);
+    if (!origin.problem.empty())
+        return {{}, fmt::format("time origin '{}': {}", scaling.origin, origin.problem)};
+    if (profile) return profile_row(series, name, scaling, origin.time);
     SeriesCurve result;
     for (std::size_t i = 0; i < series.time.size(); ++i) {
-        const double x = (series.time[i] - scaling.x_offset) / scaling.x_scale;
+        const double x = (series.time[i] - origin.time) / scaling.x_scale;
         const double y = series.value[i] / scaling.y_scale - scaling.y_offset;
         if (!std::isfinite(x) || !std::isfinite(y)) {
             result.problem =

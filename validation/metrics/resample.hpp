@@ -21,6 +21,7 @@ inline constexpr double required_coverage = 0.98;
 struct SeriesCurve {
     Curve curve;          ///< scaled; up to the last sound sample if there is a problem
     std::string problem;  ///< empty if the whole series is sound
+    double origin = 0;    ///< on the scaled axis, of a curve that was shifted to its peak
 };
 
 /// A series under its scaling. The result names a problem, and no number may be taken from it, if the series

@@ -14,6 +14,26 @@
 
 namespace wetdeck {
 
+/// An instant that a run finds: the first at which a series goes through a level; see time_origin.hpp.
+struct OriginEvent {
+    enum class Crossing { either, falling, rising };
+    std::string series;
+    double level = 0;     ///< in the unit of the series
+    double spacings = 0;  ///< particle spacings added to the level
+    Crossing crossing = Crossing::either;
+    bool counts_at_start = false;  ///< a falling series that starts below the level has crossed it then
+    std::string meaning;           ///< "geometric contact of body"
+
+    bool operator==(const OriginEvent&) const = default;
+};
+
+/// A number that the scene states, or an event.
+struct TimeOrigin {
+    double typed = 0;  ///< without an event [s, or m along a profile]
+    std::optional<OriginEvent> event;
+    std::string unit = {};  ///< that the scene states, or empty
+};
+
 /// How a series becomes a curve: ((time - x_offset) / x_scale, value / y_scale - y_offset); of a profile, the
 /// row at one instant, with its abscissa in place of the time.
 struct SeriesScaling {
@@ -22,13 +42,29 @@ struct SeriesScaling {
     double y_scale = 1;   ///< SI units per unit of the scaled value
     double y_offset =
         0;  ///< subtracted from the scaled value (for example 2, where a front is counted from the gate)
-    std::optional<double> instant;  ///< of the row of a profile, on the clock of the run [s]
+    std::optional<double> instant = {};     ///< of the row of a profile, on the clock of the run [s]
+    std::string origin = {};                ///< name of the time origin, empty if there is none
+    std::optional<OriginEvent> event = {};  ///< of the time origin, instead of x_offset
 
     bool operator==(const SeriesScaling&) const = default;
 };
 
+/// What is known of the units along one axis of a series.
+struct AxisUnits {
+    std::string series;      ///< SI unit of the values, or of the abscissa; empty: unknown
+    std::string scale;       ///< name of the scale; empty: none
+    std::string scale_unit;  ///< of a scale that has one; empty: a plain number
+};
+
+/// Both axes, and where the scene file asks for them: "FILE:LINE: key '...'".
+struct SeriesUnits {
+    AxisUnits x, y;
+    std::string place;
+};
+
 /// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
 struct QuantitySpec : SeriesScaling {
+    SeriesUnits units;
     std::string name;
     const Metric* metric = nullptr;  ///< a row of metrics()
     std::string series;
@@ -47,6 +83,7 @@ struct QuantitySpec : SeriesScaling {
 
 /// One pair of curves: a series against a column of a reference file.
 struct ComparisonSpec : SeriesScaling {
+    SeriesUnits units;
     std::string title;
     std::string quantity;   ///< name of the series
     std::string reference;  ///< file stem in reference_data/SCENE/, or "analytic:NAME key=value ..."
@@ -56,6 +93,13 @@ struct ComparisonSpec : SeriesScaling {
     double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
     std::string x_label;
     std::string y_label;
+    bool align_peaks = false;  ///< each curve is shifted until its largest value is at zero
+};
+
+/// A reference file of the scene that no comparison uses.
+struct UnusedReference {
+    std::string file;  ///< stem in reference_data/SCENE/
+    std::string reason;
 };
 
 /// A value in the source, what the scene uses instead, and why.
@@ -81,13 +125,41 @@ struct SourceRun {
     std::string conditions;  ///< its spacing, its step, its time, and where they are stated
 };
 
+/// A measured or computed curve of others that a figure of the source shows.
+struct SourceCurve {
+    std::string reference;   ///< file stem in reference_data/SCENE/
+    bool available = false;  ///< the file exists; the analysis finds out
+};
+
 /// A figure of a source of the scene, and where the report shows the same.
 struct SourceFigure {
     std::string number;  ///< as printed in the source, "3" or "12a"
     std::string shows;
     std::vector<std::string> places;  ///< anchors of the report; those that exist are linked
     std::string remark;
-    std::string source;  ///< citation
+    std::string source;                    ///< citation
+    std::vector<SourceCurve> curves = {};  ///< of others, beside the source's own
+};
+
+/// A statement in the text of the scene's source that relates two runs, or two quantities of one run.
+struct SourceStatement {
+    enum class Measure { difference, ratio, curve_difference };
+    std::string says;                   ///< the statement in own words
+    std::vector<std::string> variants;  ///< it is judged for each of them ...
+    std::vector<std::string> against;   ///< ... against the variant in the same place; empty: the same run
+    Measure measure = Measure::difference;
+    std::string quantity;          ///< of the variant; for a curve difference the name of a series
+    std::string against_quantity;  ///< the same unless the statement relates two quantities
+    std::optional<Window> window;  ///< of a curve difference, on the clock of the run [s]
+    double low = 0, high = 0;      ///< the measure of the statement lies between them; may be infinite
+};
+
+/// Variants that the report shows beside each other: their fields at one time, or one series of all.
+struct SideBySide {
+    std::string title;
+    std::vector<std::string> variants;
+    std::optional<double> time;  ///< of the fields, on the clock of the run [s]
+    std::string series;          ///< drawn for all variants; empty: none
 };
 
 /// The part of a scene that analysis and report need.
@@ -99,9 +171,16 @@ struct AnalysisSpec {
     std::string source;
     std::vector<QuantitySpec> quantities;
     std::vector<ComparisonSpec> comparisons;
+    std::map<std::string, TimeOrigin> origins;  ///< by name
+    std::vector<std::string> stated_contacts;   ///< origins named after a contact that are numbers
+    std::vector<OriginEvent> contacts;          ///< geometric, of each body
+    double sample_interval = 0;                 ///< of the series [s]
     std::vector<SensitivitySpec> sensitivities;
     std::vector<Deviation> deviations;
     std::vector<SourceFigure> source_figures;
+    std::vector<SourceStatement> statements;
+    std::vector<SideBySide> side_by_side;
+    std::vector<UnusedReference> unused_references;
     std::vector<std::string> limits;  ///< statements of what was not shown
     std::optional<SourceRun> source_run;
     std::string error_quantity;  ///< the quantity whose error the speed-error diagram shows

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "validation/metrics/reference_curve.hpp"
 #include "validation/metrics/resample.hpp"
 
 namespace wetdeck {
@@ -59,7 +60,7 @@ void take(CheapestRow& row, const RunSummary& run, double error) {
     if (!row.best || error < *row.best->error) row.best = point;
 }
 
-std::optional<double> number_in(const Reference& reference, const std::string& key) {
+std::optional<double> key_number(const Reference& reference, const std::string& key) {
     const auto found = reference.keys.find(key);
     if (found == reference.keys.end()) return std::nullopt;
     double value = 0;
@@ -127,22 +128,22 @@ std::vector<PeerPoint> peer_points(const AnalysisSpec& scene, ReferenceShelf& re
     const auto error = std::find_if(scene.quantities.begin(), scene.quantities.end(),
                                     [&](const QuantitySpec& q) { return q.name == scene.error_quantity; });
     if (error == scene.quantities.end() || !error->metric->needs.reference || !error->window) return points;
-    const Reference* measured = references.find(error->reference);
-    if (measured == nullptr) return points;
-    const Curve target = scaled_reference(*measured, measured->columns.front().name, error->y_column,
-                                          error->x_scale, error->y_scale);
+    const ReferenceCurve measured = reference_curve(request_of(*error), references);
+    if (!measured.problem.empty()) return points;
+    const Curve& target = measured.curve;
     for (const ComparisonSpec& spec : scene.comparisons) {
         if (spec.quantity != error->series || spec.reference == error->reference) continue;
-        const Reference* peer = references.find(spec.reference);
-        if (peer == nullptr || peer->kind != ReferenceKind::peer_simulation) continue;
-        const Curve curve = scaled_reference(*peer, spec.x_column, spec.y_column, spec.x_scale, spec.y_scale);
+        const ReferenceCurve peer = reference_curve(request_of(spec), references);
+        if (!peer.problem.empty() || peer.reference->kind != ReferenceKind::peer_simulation) continue;
+        const Curve& curve = peer.curve;
         const auto common = overlap(target, *error->window);
         if (!common || !covers(curve, *common)) continue;
-        const auto conditions = peer->keys.find("cost_conditions");
+        const auto& keys = peer.reference->keys;
+        const auto conditions = keys.find("cost_conditions");
         points.push_back({scene.scene, spec.title, error->reference,
                           rms_difference(curve, target, *overlap(curve, *common)),
-                          number_in(*peer, "cost_core_s"),
-                          conditions == peer->keys.end() ? "" : conditions->second});
+                          key_number(*peer.reference, "cost_core_s"),
+                          conditions == keys.end() ? "" : conditions->second});
     }
     return points;
 }

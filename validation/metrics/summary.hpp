@@ -51,8 +51,9 @@ struct ComparisonResult {
     double tolerance = 0;
     bool within =
         false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
-    bool available = true;  ///< false: no such reference file, or a run that was asked to stop before the
+    bool available = true;  ///< false: no usable reference file, or a run that was asked to stop before the
                             ///< window; neither a success nor a failure
+    bool unusable = false;  ///< why not `available`: the reference is there, but not sound or not comparable
     std::string note;
     std::string x_label;
     std::string y_label;
@@ -110,6 +111,14 @@ struct ValidationRow {
     double u_known = 0;           ///< root of the sum of squares of those that are known
     std::string u_num_source;     ///< GCI, range, or why there is none
     std::string verdict;
+};
+
+/// A time origin of a run that was stated by hand and differs from what the run found.
+struct OriginDoubt {
+    std::string scene, variant;
+    double dx = 0;
+    std::string overrides;  ///< of the run, as given with --set
+    std::string sentence;
 };
 
 /// One pair of a measured or exact value and its prediction, in SI units.
@@ -194,6 +203,22 @@ inline bool counts(const RunSummary& run) {
     return run.record.status == RunStatus::ok && !run.other_setup;
 }
 
+/// A statement of a scene's source against the runs; see statements.hpp.
+struct StatementResult {
+    std::string scene, says;
+    std::string variant, against;  ///< against: variant, quantity, or the value that the source states
+    std::string measure = {};           ///< in words
+    double dx = 0;                 ///< of the runs [m]
+    std::optional<double> value = {};
+    std::string unit = {};
+    double low = 0, high = 0;  ///< the statement holds between them
+    std::string note = {};          ///< why there is no value
+
+    std::optional<bool> holds() const {
+        return value ? std::optional(low <= *value && *value <= high) : std::nullopt;
+    }
+};
+
 /// Whether a specification applies to a run.
 inline bool applies(const AnalysisSpec& spec, const RunRecord& record) {
     return record.scene == spec.scene && (spec.variant.empty() || record.variant == spec.variant);
@@ -206,6 +231,7 @@ struct Summary {
     std::vector<ConvergenceRow> convergence;
     std::vector<CurveConvergenceRow> curve_convergence;
     std::vector<ValidationRow> validation;
+    std::vector<StatementResult> statements;
     std::vector<ScatterPoint> scatter;
     std::vector<ClassStatistics> statistics;
     std::vector<SpeedErrorPoint> speed_error;
@@ -215,6 +241,7 @@ struct Summary {
     std::vector<SensitivityRow> sensitivity;
     std::vector<AblationRow> ablation;
     std::vector<StressRow> stress;
+    std::vector<OriginDoubt> doubts;
     std::vector<std::string> missing;  ///< runs that the tier asks for and the directory lacks
 };
 

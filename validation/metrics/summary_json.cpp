@@ -115,6 +115,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"convergence", summary.convergence},
             {"curve_convergence", summary.curve_convergence},
             {"validation", summary.validation},
+            {"statements", summary.statements},
             {"scatter", summary.scatter},
             {"statistics", summary.statistics},
             {"speed_error", summary.speed_error},
@@ -124,6 +125,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"verification", verification_list(summary.verification)},
             {"ablation", summary.ablation},
             {"stress", summary.stress},
+            {"doubts", summary.doubts},
             {"missing", summary.missing}};
 }
 

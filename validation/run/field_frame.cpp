@@ -5,32 +5,37 @@ namespace wetdeck {
 
 FieldFrame frame_of(const Simulation& simulation, const std::string& provenance) {
     constexpr int wall = 2;
+    const FluidParticles& fluid = simulation.fluid();
+    const WallParticles& walls = simulation.walls();
+    const std::size_t count = fluid.size() + walls.size();
     FieldFrame frame;
     frame.time = simulation.time();
     frame.provenance = provenance;
-    const auto add = [&frame](const auto& particle, double pressure, double density, int phase,
-                              std::size_t id) {
-        frame.x.push_back(static_cast<float>(particle.x));
-        frame.y.push_back(static_cast<float>(particle.y));
-        frame.vx.push_back(static_cast<float>(particle.vx));
-        frame.vy.push_back(static_cast<float>(particle.vy));
-        frame.pressure.push_back(static_cast<float>(pressure));
-        frame.density.push_back(static_cast<float>(density));
-        frame.phase.push_back(phase);
-        frame.id.push_back(static_cast<std::int64_t>(id));
+    for (auto* values : {&frame.x, &frame.y, &frame.vx, &frame.vy, &frame.pressure, &frame.density})
+        values->resize(count);
+    frame.phase.resize(count);
+    frame.id.resize(count);
+    const auto put = [&frame](std::size_t id, const auto& particle, double pressure, double density,
+                              int phase) {
+        frame.x[id] = static_cast<float>(particle.x);
+        frame.y[id] = static_cast<float>(particle.y);
+        frame.vx[id] = static_cast<float>(particle.vx);
+        frame.vy[id] = static_cast<float>(particle.vy);
+        frame.pressure[id] = static_cast<float>(pressure);
+        frame.density[id] = static_cast<float>(density);
+        frame.phase[id] = phase;
+        frame.id[id] = static_cast<std::int64_t>(id);
     };
-    const FluidParticles& fluid = simulation.fluid();
     const double background = simulation.model().water.eos.background_pressure;
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const FluidState& p = fluid.state[i];
-        add(p, p.pressure - background, p.density, static_cast<int>(fluid.phase(i)), fluid.id[i]);
+        put(fluid.id[i], p, p.pressure - background, p.density, static_cast<int>(fluid.phase(i)));
     }
-    const WallParticles& walls = simulation.walls();
     const double rho0 = simulation.model().water.eos.reference_density;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const bool fixed = i < walls.fixed;
         const int phase = fixed ? wall : wall + 1 + static_cast<int>(walls.body_point[i].body);
-        add(walls.state[i], 0, rho0, phase, fluid.size() + walls.id[i]);
+        put(fluid.size() + walls.id[i], walls.state[i], 0, rho0, phase);
     }
     return frame;
 }

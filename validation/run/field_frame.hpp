@@ -9,7 +9,7 @@
 
 namespace wetdeck {
 
-/// Fluid and walls; pressures without the background.
+/// Fluid and walls in the order of their ids, 0 to N-1, in every frame; pressures without the background.
 FieldFrame frame_of(const Simulation& simulation, const std::string& provenance);
 
 }  // namespace wetdeck

@@ -41,11 +41,8 @@ Simulation::StabilityMonitor penetration_monitor(const Scene& scene) {
     if (scene.bodies.empty()) return {};
     std::vector<Hull> hulls;
     for (const BodySpec& spec : scene.bodies) {
-        Hull hull;
-        for (const Vec2& corner : spec.outline) {
-            hull.outline.push_back(spec.body.local(corner));
-            hull.radius = std::max(hull.radius, hull.outline.back().norm());
-        }
+        Hull hull{spec.local_outline()};
+        for (const Vec2& corner : hull.outline) hull.radius = std::max(hull.radius, corner.norm());
         hulls.push_back(std::move(hull));
     }
     return

@@ -28,12 +28,12 @@ std::vector<double> mean_slopes(const Curve& curve, double width) {
 }  // namespace
 
 Recorders::Recorders(const Scene& scene, double particle_spacing)
-    : probes_(scene.probes), bodies_(scene.bodies.size()) {
+    : probes_(scene.probes), outlines_(local_outlines(scene)), level_(scene.initial.surface) {
     for (const Probe& probe : probes_) {
         if (probe.check) probe.check(particle_spacing);
         list_.push_back(probe.series);
     }
-    for (std::size_t body = 0; body < bodies_; ++body) {
+    for (std::size_t body = 0; body < outlines_.size(); ++body) {
         for (const BodySeries& each : recorded_body_series()) {
             list_.push_back(each.info);
             list_.back().name = body_series_name(each.info.name, body);
@@ -45,9 +45,9 @@ Recorders::Recorders(const Scene& scene, double particle_spacing)
 void Recorders::sample(const Simulation& simulation, std::size_t number, std::vector<double>& values) const {
     const std::vector<double> last = std::exchange(values, {});
     for (const Probe& probe : probes_) probe.sample(simulation, values);
-    for (std::size_t body = 0; body < bodies_; ++body) {
-        for (const BodySeries& each : recorded_body_series())
-            values.push_back(each.value(simulation.bodies()[body]));
+    for (std::size_t body = 0; body < outlines_.size(); ++body) {
+        const BodyNow now{simulation, simulation.bodies()[body], outlines_[body], level_};
+        for (const BodySeries& each : recorded_body_series()) values.push_back(each.value(now));
     }
     const Balance fluid = balance(simulation);
     for (const FluidSeries& each : every_run_series()) {

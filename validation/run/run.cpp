@@ -10,9 +10,11 @@
 #include "solver/core/errors.hpp"
 #include "solver/scheme_revision.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/metrics/time_origin.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/contact_monitor.hpp"
 #include "validation/run/field_frame.hpp"
+#include "validation/run/field_time_series.hpp"
 #include "validation/run/last_good_frame.hpp"
 #include "validation/run/penetration_monitor.hpp"
 #include "validation/run/run_state.hpp"
@@ -110,7 +112,8 @@ class Run {
           provenance_(collect_provenance(simulation_.instruction_set(),
                                          static_cast<unsigned>(simulation_.threads()))),
           clock_(options.checkpoint_interval),
-          series_(scene, options.particle_spacing, options.directory, from) {
+          series_(scene, options.particle_spacing, options.directory, from),
+          field_series_(scene, from) {
         if (from) {
             go_on(*from);
         } else {
@@ -129,6 +132,7 @@ class Run {
             if (fields_->frames().empty() || last.time > fields_->frames().back().time) fields_->write(last);
         }
         record.series = series_.all();
+        record.series.merge(field_series_.all());
         record.cost.wall_s = wall_before_ + seconds_since(start_);
         record.cost.core_s = core_before_ + processor_seconds() - processor_start_;
         record_cost(record, simulation_);
@@ -167,6 +171,7 @@ class Run {
         provenance_.add_to(record.provenance);
         record_parameters(record, scene_, simulation_);
         if (end_ != scene_.end_time) record.parameters["run.until"] = end_;
+        record.provenance["time_origins"] = origins_text(scene_.analysis.origins);
         record.provenance["reference_hashes"] =
             reference_hashes(scene_.analysis, reference_directory() / scene_.name());
         if (!scene_.overrides.empty()) {
@@ -190,6 +195,7 @@ class Run {
             while (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_])
                 ++next_frame_;
             fields_->write(frame_of(s, line()));
+            field_series_.sample(s);
         }
         const bool kept = last_good_.update(s, line());
         if (s.steps() % (steps_between_ / 4) == 0)
@@ -212,6 +218,7 @@ class Run {
         save_request(checkpoint, scene_, options_);
         save_simulation(checkpoint, simulation_);
         series_.save(checkpoint);
+        field_series_.save(checkpoint);
         const FieldFrame& last = last_good_.frame();
         save_frame(checkpoint, last.time < simulation_.time() ? last : FieldFrame{});
         checkpoint.numbers["frames"] = static_cast<double>(fields_->frames().size());
@@ -234,6 +241,7 @@ class Run {
     Provenance provenance_;
     CheckpointClock clock_;
     TimeSeries series_;
+    FieldTimeSeries field_series_;
     std::optional<FieldWriter> fields_;
     std::size_t next_frame_ = 0;
     std::uint64_t steps_between_ = inspection_interval(simulation_, 256, 4);

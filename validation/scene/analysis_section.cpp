@@ -7,24 +7,14 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/analytic/curves.hpp"
+#include "validation/metrics/dimensions.hpp"
 #include "validation/metrics/quantities.hpp"
+#include "validation/scene/axes.hpp"
 #include "validation/scene/sections.hpp"
+#include "validation/scene/time_origins.hpp"
 
 namespace wetdeck {
 namespace {
-
-/// Scales and origins by name.
-struct Axes {
-    Scales scales, origins;
-};
-
-/// A scale or an origin is a name from [scales] or [time_origins].
-double scale(const TomlTable& table, const std::string& key, const Scales& scales, double fallback = 1) {
-    if (!table.has(key)) return fallback;
-    std::vector<std::string> names;
-    for (const auto& [name, value] : scales) names.push_back(name);
-    return scales.at(table.choice(key, names));
-}
 
 std::optional<Window> window(const TomlTable& table) {
     if (!table.has("window")) return std::nullopt;
@@ -44,20 +34,28 @@ std::string read_reference(const TomlTable& table, std::string reference) {
     return reference;
 }
 
+std::string read_unit(const TomlTable& table, const QuantitySpec& q) {
+    std::optional<std::string> stated;
+    if (table.has("unit")) stated = table.text("unit");
+    try {
+        return quantity_unit(q, stated);
+    } catch (const InputError& error) {
+        table.fail("unit", error.what());
+    }
+}
+
 QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     QuantitySpec q;
     q.name = table.text("name");
     q.metric = &metric_named(table.choice("metric", metric_names()));
     q.series = table.text("series");
-    q.x_scale = scale(table, "x_scale", axes.scales);
-    q.x_offset = scale(table, "x_origin", axes.origins, 0);
-    q.y_scale = scale(table, "y_scale", axes.scales);
+    q.units = axes.read(table, q.series, q);
     q.instant = table.optional_number("instant");
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
     q.reference = read_reference(table, table.text_or("reference", ""));
     q.y_column = table.text_or("y_column", "");
-    q.unit = table.text_or("unit", "-");
+    q.unit = read_unit(table, q);
     q.expected = table.optional_number("expected");
     q.tolerance = table.optional_number("tolerance");
     q.expected_source = table.text_or("expected_source", "");
@@ -73,6 +71,18 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     return q;
 }
 
+bool aligns_peaks(const TomlTable& table) {
+    if (!table.has("align")) return false;
+    table.choice("align", {"peak"});
+    for (const char* key : {"x_origin", "instant"}) {
+        if (table.has(key))
+            table.fail(key,
+                       "expected none beside 'align = \"peak\"', which puts the origin at the largest "
+                       "value of each curve over time");
+    }
+    return true;
+}
+
 ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     ComparisonSpec c;
     c.title = table.text("title");
@@ -80,13 +90,12 @@ ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     c.reference = read_reference(table, table.text("reference"));
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
-    c.x_scale = scale(table, "x_scale", axes.scales);
-    c.x_offset = scale(table, "x_origin", axes.origins, 0);
-    c.y_scale = scale(table, "y_scale", axes.scales);
+    c.units = axes.read(table, c.quantity, c);
     c.y_offset = table.number_or("y_offset", 0);
     c.instant = table.optional_number("instant");
     c.window = window(table);
     c.tolerance = table.positive("tolerance");
+    c.align_peaks = aligns_peaks(table);
     c.x_label = table.text_or("x_label", c.x_column);
     c.y_label = table.text_or("y_label", c.y_column);
     table.finish();
@@ -106,76 +115,12 @@ bool of_this_variant(const TomlTable& table, const Scene& scene) {
     return std::find(named.begin(), named.end(), scene.variant) != named.end();
 }
 
-bool is_anchor(const std::string& text) {
-    return !text.empty() &&
-           text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
-}
-
-SourceFigure read_source_figure(const TomlTable& table, const std::string& source_of_scene) {
-    SourceFigure figure;
-    figure.number = table.text("number");
-    if (figure.number.empty()) table.fail("number", "expected the number of a figure");
-    figure.shows = table.text("shows");
-    figure.places = table.texts("places");
-    figure.remark = table.text_or("remark", "");
-    figure.source = table.text_or("source", source_of_scene);
-    for (const std::string& place : figure.places) {
-        if (!is_anchor(place))
-            table.fail("places", fmt::format("'{}' is no anchor of the report, expected lower-case letters, "
-                                             "digits and hyphens",
-                                             place));
-    }
-    if (figure.places.empty() && figure.remark.empty()) {
-        const char* expected =
-            "expected a list of anchors of the report, or a remark that says why there is no counterpart";
-        if (table.has("places")) table.fail("places", expected);
-        table.fail_missing("places", expected);
-    }
-    table.finish();
-    return figure;
-}
-
-void read_source_figures(const TomlTable& root, AnalysisSpec& analysis) {
-    std::set<std::pair<std::string, std::string>> known;
-    for (const TomlTable& table : root.tables("source_figures")) {
-        SourceFigure figure = read_source_figure(table, analysis.source);
-        if (!known.emplace(figure.source, figure.number).second)
-            table.fail("number", fmt::format("'{}' is used twice for one source", figure.number));
-        analysis.source_figures.push_back(std::move(figure));
-    }
-}
-
-Axes read_axes(const TomlTable& root) {
-    Axes axes;
-    if (const std::optional<TomlTable> table = root.optional_table("time_origins")) {
-        for (const std::string& name : table->keys()) axes.origins[name] = table->number(name);
-    }
-    if (const std::optional<TomlTable> table = root.optional_table("scales")) {
-        for (const std::string& name : table->keys()) axes.scales[name] = table->positive(name);
-    }
-    return axes;
-}
-
-/// Names of all series that a run of the scene holds.
-std::vector<std::string> series_names(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const Probe& probe : scene.probes) names.push_back(probe.series.name);
-    for (const FluidSeries& each : every_run_series()) names.push_back(each.info.name);
-    for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-        for (const BodySeries& each : recorded_body_series())
-            names.push_back(body_series_name(each.info.name, body));
-        for (const DerivedSeries& each : derived_body_series())
-            names.push_back(body_series_name(each.info.name, body));
-    }
-    return names;
-}
-
 /// Those of this variant are kept; the names of all are returned.
 std::set<std::string> read_quantities(const TomlTable& root, const Axes& axes, Scene& scene) {
     std::set<std::string> names;
     std::vector<QuantitySpec>& quantities = scene.analysis.quantities;
     for (const TomlTable& table : root.tables("quantities")) {
-        table.choice("series", series_names(scene));
+        table.choice("series", axes.series_names());
         const bool wanted = of_this_variant(table, scene);
         const QuantitySpec quantity = read_quantity(table, axes);
         names.insert(quantity.name);
@@ -190,7 +135,7 @@ std::set<std::string> read_quantities(const TomlTable& root, const Axes& axes, S
 
 void read_comparisons(const TomlTable& root, const Axes& axes, Scene& scene) {
     for (const TomlTable& table : root.tables("compare")) {
-        table.choice("quantity", series_names(scene));
+        table.choice("quantity", axes.series_names());
         const bool wanted = of_this_variant(table, scene);
         const ComparisonSpec comparison = read_comparison(table, axes);
         if (wanted) scene.analysis.comparisons.push_back(comparison);
@@ -224,15 +169,32 @@ void read_source_run(const TomlTable& root, AnalysisSpec& analysis) {
     table->finish();
 }
 
+/// Names of the time origins that the entries of a table use, in whatever variant.
+void add_origins(const TomlTable& root, const std::string& key, std::set<std::string>& used) {
+    for (const TomlTable& table : root.tables(key)) used.insert(table.text_or("x_origin", ""));
+}
+
+void read_origins(const TomlTable& root, const Axes& axes, Scene& scene) {
+    AnalysisSpec& analysis = scene.analysis;
+    analysis.origins = axes.origins();
+    analysis.contacts = geometric_contacts(scene);
+    analysis.sample_interval = scene.sample_interval;
+    std::set<std::string> used;
+    for (const char* key : {"quantities", "compare"}) add_origins(root, key, used);
+    analysis.stated_contacts = stated_contacts(analysis, used);
+}
+
 }  // namespace
 
 void read_analysis(const TomlTable& root, Scene& scene) {
     AnalysisSpec& analysis = scene.analysis;
-    const Axes axes = read_axes(root);
+    const Axes axes(root, scene);
     const std::set<std::string> quantities = read_quantities(root, axes, scene);
     read_comparisons(root, axes, scene);
+    read_origins(root, axes, scene);
+    read_statements(root, axes.series_names(), {quantities.begin(), quantities.end()}, scene);
     read_deviations(root, analysis);
-    read_source_figures(root, analysis);
+    read_sources(root, analysis);
     read_sensitivities(root, analysis);
     read_source_run(root, analysis);
     analysis.limits = root.texts("limits");

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/core/errors.hpp"
+#include "validation/scene/outline_file.hpp"
 #include "validation/scene/sections.hpp"
 
 namespace wetdeck {
@@ -31,11 +32,11 @@ Outline read_corners(const TomlTable& table) {
     for (const std::vector<double>& corner : table.number_rows("outline", 2))
         corners.emplace_back(corner[0], corner[1]);
     if (!table.boolean_or("mirrored", false)) return corners;
-    for (std::size_t k = corners.size(); k-- > 0;) {
-        if (corners[k].x() < 0) table.fail("outline", "of a mirrored body has a corner at x < 0");
-        if (corners[k].x() > 0) corners.emplace_back(-corners[k].x(), corners[k].y());
+    try {
+        return mirrored_section(std::move(corners));
+    } catch (const InputError& error) {
+        table.fail("outline", error.what());
     }
-    return corners;
 }
 
 /// A face of the tank, and how far it is from the body: negative beyond it [m].

@@ -137,6 +137,8 @@ std::vector<std::string> doubtful(const Scene& scene) {
         doubt_mass(spec, scene.model.water.eos.reference_density, found);
     for (std::string& text : motions_out_of_tank(scene)) found.push_back(std::move(text));
     doubt_times(scene, found);
+    for (const Probe& probe : scene.probes)
+        found.insert(found.end(), probe.doubts.begin(), probe.doubts.end());
     for (std::string& text : unused_values(scene)) found.push_back(std::move(text));
     return found;
 }

@@ -20,6 +20,7 @@ namespace wetdeck {
 ///   or its inertia is beyond ten times or below a tenth of that of even density;
 /// - a motion that is given leads a body out of the tank;
 /// - fewer than fifty samples, or frames after the end;
+/// - the doubts of its probes;
 /// - a background pressure above half of the air's own stiffness;
 /// - values that nothing uses (unused_values.hpp).
 std::vector<std::string> doubtful(const Scene& scene);

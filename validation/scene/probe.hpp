@@ -28,6 +28,7 @@ struct ProbePlace {
 struct Probe {
     SeriesInfo series;
     std::string note;
+    std::vector<std::string> doubts;  ///< why it may read nothing of use, with file, line and key
     std::optional<ProbePlace> place;  ///< empty for a probe of the whole fluid
     /// Throws InputError where the probe is too small for the particle spacing; may be empty.
     std::function<void(double particle_spacing)> check;
@@ -35,13 +36,20 @@ struct Probe {
     std::function<void(const Simulation&, std::vector<double>&)> sample;
 };
 
+/// The sampling of a probe with one value.
+template <class Read>
+auto scalar_reading(Read read) {
+    return [read](const Simulation& s, std::vector<double>& out) { out.push_back(read(s)); };
+}
+
 struct ProbeType {
     const char* name;
     const char* unit;
     const char* records;            ///< the description of the series, unless `read` gives one
-    std::vector<const char*> keys;  ///< that `read` asks for, besides name, type and note
+    std::vector<const char*> keys;  ///< that `read` needs, besides name, type and note
     /// Everything but name, unit and note. Throws InputError for a place where the probe could never read.
     Probe (*read)(const TomlTable& table, const Scene& scene);
+    std::vector<const char*> optional_keys = {};  ///< that `read` asks for and can do without
 };
 
 /// All types, in the order in which messages list them.

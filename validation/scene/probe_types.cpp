@@ -3,20 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "solver/probes/front.hpp"
 #include "solver/probes/pressure.hpp"
+#include "validation/scene/faces.hpp"
+#include "validation/scene/front_probe.hpp"
 #include "validation/scene/probe.hpp"
 #include "validation/scene/sections.hpp"
 
 namespace wetdeck {
 namespace {
-
-template <class F>
-auto scalar(F f) {
-    return [f](const Simulation& s, std::vector<double>& out) { out.push_back(f(s)); };
-}
 
 template <class F>
 auto profile(F f) {
@@ -41,27 +38,6 @@ std::size_t point_count(const TomlTable& table) {
     return static_cast<std::size_t>(points);
 }
 
-/// Distance of a point of the body's frame to its outline, where it is more than a rounding error.
-std::optional<double> off_outline(const BodySpec& body, Vec2 place) {
-    const double distance = std::abs(distance_to(body.outline, body.origin + place));
-    return distance > 1e-6 ? std::optional(distance) : std::nullopt;
-}
-
-/// Direction of the side of an outline nearest to a point.
-Vec2 side_direction(const Outline& outline, Vec2 point) {
-    Vec2 best = Vec2::UnitX();
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Vec2 a = outline[k], b = outline[(k + 1) % outline.size()];
-        const double share = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        const double distance = (a + share * (b - a) - point).norm();
-        if (distance >= nearest) continue;
-        nearest = distance;
-        best = (b - a).normalized();
-    }
-    return best;
-}
-
 std::vector<double> midpoints(double low, double high, std::size_t count) {
     std::vector<double> middle;
     for (std::size_t k = 0; k < count; ++k)
@@ -69,7 +45,7 @@ std::vector<double> midpoints(double low, double high, std::size_t count) {
     return middle;
 }
 
-/// A straight face of a body; its ends lie on the outline, as a probe inside the body would read nothing.
+/// A straight face of a body; all of it lies on the outline, as a probe inside the body would read nothing.
 struct Face {
     std::size_t body;
     Vec2 from, to;  ///< in the frame of the outline [m]
@@ -81,11 +57,38 @@ Face read_face(const TomlTable& table, const Scene& scene) {
     const BodySpec& body = scene.bodies[number];
     const Vec2 from = point(table, "from"), to = point(table, "to");
     if ((to - from).norm() == 0) table.fail("to", "is the same point as 'from'");
+    const auto off = [&](Vec2 place) { return std::abs(distance_to(body.outline, body.origin + place)); };
     for (const char* key : {"from", "to"}) {
-        if (const auto off = off_outline(body, point(table, key)))
-            table.fail(key, fmt::format("lies {:.3g} m off the outline of {}", *off, body.name));
+        if (off(point(table, key)) > face_tolerance)
+            table.fail(key,
+                       fmt::format("lies {:.3g} m off the outline of {}", off(point(table, key)), body.name));
+    }
+    for (const double share : midpoints(0, 1, 64)) {
+        const Vec2 between = from + share * (to - from);
+        if (off(between) > face_tolerance)
+            table.fail("to",
+                       fmt::format("the line from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) leaves the outline "
+                                   "of {} by {:.3g} m: expected two points of one straight face",
+                                   from.x(), from.y(), to.x(), to.y(), body.name, off(between)));
     }
     return {number, from, to, {body.at_start(from), body.at_start(to)}};
+}
+
+/// Refuses a centre that lies on no face, and a disc that reaches beyond its end.
+void check_disc(const TomlTable& table, const FacePlace& face, const std::string& expected) {
+    const Vec2 centre = point(table, "centre");
+    const double diameter = table.positive("diameter");
+    const std::string disc =
+        fmt::format("the disc of {:.6g} m at ({:.6g}, {:.6g}) m", diameter, centre.x(), centre.y());
+    if (face.distance > face_tolerance)
+        table.fail("centre", fmt::format("({:.6g}, {:.6g}) m lies {:.3g} m off {}, the nearest face: {}",
+                                         centre.x(), centre.y(), face.distance, face.name, expected));
+    const double beyond = 0.5 * diameter - face.to_end();
+    if (beyond > face_tolerance)
+        table.fail("diameter",
+                   fmt::format("{} reaches {:.3g} m beyond the end of {}: expected at most {:.6g} m "
+                               "there, or another centre",
+                               disc, beyond, face.name, 2 * face.to_end()));
 }
 
 Probe pressure_gauge(const TomlTable& table, const PressureGauge& gauge, ProbePlace place) {
@@ -96,29 +99,37 @@ Probe pressure_gauge(const TomlTable& table, const PressureGauge& gauge, ProbePl
                     table.positive("diameter"), centre.x(), centre.y(), table.text_or("note", ""));
     probe.place = place;
     probe.check = [gauge](double particle_spacing) { gauge.check(particle_spacing); };
-    probe.sample = scalar([gauge](const Simulation& s) { return gauge.sample(s); });
+    probe.sample = scalar_reading([gauge](const Simulation& s) { return gauge.sample(s); });
     return probe;
 }
 
-Probe front(const TomlTable&, const Scene&) {
-    Probe probe;
-    probe.sample = scalar(front_position);
-    return probe;
-}
-
-Probe wall_pressure(const TomlTable& table, const Scene&) {
+Probe wall_pressure(const TomlTable& table, const Scene& scene) {
     const Vec2 centre = point(table, "centre");
     const double diameter = table.positive("diameter");
-    const Vec2 half(0, 0.5 * diameter);
-    return pressure_gauge(table, {centre, Vec2::UnitY(), diameter}, {centre - half, centre + half});
+    const FacePlace wall = nearest_wall(scene.tank, centre);
+    const Vec2 low = scene.tank.low, high = scene.tank.high;
+    check_disc(table, wall,
+               fmt::format("expected x = {:.6g} or {:.6g}, or y = {:.6g} or {:.6g} in the tank", low.x(),
+                           high.x(), low.y(), high.y()));
+    const Vec2 half = 0.5 * diameter * wall.along;
+    for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+        if (const auto body = covered_for_good(scene, centre + share * half))
+            table.fail("centre",
+                       fmt::format("lies where {}, which never moves, covers {}", *body, wall.name));
+    }
+    return pressure_gauge(table, {centre, wall.along, diameter, std::nullopt, wall.to_end()},
+                          {centre - half, centre + half});
 }
 
 Probe water_depth_at(const TomlTable& table, const Scene& scene) {
     const double x = table.number("x"), width = table.positive("width");
+    if (x < scene.tank.low.x() || x > scene.tank.high.x())
+        table.fail("x", fmt::format("{:.6g} m is outside the tank, expected {:.6g} to {:.6g} m", x,
+                                    scene.tank.low.x(), scene.tank.high.x()));
     Probe probe;
     probe.series.description = fmt::format("depth of water at x = {} m over a width of {} m", x, width);
     probe.place = {{x, scene.tank.low.y()}, {x, scene.tank.high.y()}, true};
-    probe.sample = scalar([x, width](const Simulation& s) { return water_depth(s, x, width); });
+    probe.sample = scalar_reading([x, width](const Simulation& s) { return water_depth(s, x, width); });
     return probe;
 }
 
@@ -127,44 +138,56 @@ Probe body_pressure(const TomlTable& table, const Scene& scene) {
     const BodySpec& body = scene.bodies[number];
     const Vec2 centre = point(table, "centre");
     const double diameter = table.positive("diameter");
-    if (const auto off = off_outline(body, centre))
-        table.fail("centre", fmt::format("lies {:.3g} m off the outline", *off));
-    const Vec2 along = side_direction(body.outline, body.origin + centre);
-    return pressure_gauge(table, {body.in_body_frame(centre), along, diameter, number},
+    const FacePlace face = nearest_face(body.outline, body.origin + centre);
+    check_disc(table, face, fmt::format("expected a point on the outline of {}", body.name));
+    return pressure_gauge(table, {body.in_body_frame(centre), face.along, diameter, number, face.to_end()},
                           {body.at_start(centre), body.at_start(centre)});
 }
 
 Probe face_pressure(const TomlTable& table, const Scene& scene) {
     const Face face = read_face(table, scene);
+    const BodySpec& body = scene.bodies[face.body];
     const std::size_t count = point_count(table);
-    std::vector<Vec2> points;  // each in the middle of its share, in the frame of the mass centre
-    for (const double share : midpoints(0, 1, count))
-        points.push_back(scene.bodies[face.body].in_body_frame(face.from + share * (face.to - face.from)));
+    std::vector<FacePoint> points;  // each in the middle of its share, in the frame of the mass centre
+    for (const double share : midpoints(0, 1, count)) {
+        const Vec2 place = face.from + share * (face.to - face.from);
+        const FacePlace there = nearest_face(body.outline, body.origin + place);
+        points.push_back({body.in_body_frame(place), there.along, there.to_end()});
+    }
     Probe probe;
     probe.series.abscissa = midpoints(0, (face.to - face.from).norm(), count);
     probe.place = face.place;
-    probe.sample = profile([points, body = face.body](const Simulation& s) {
-        std::vector<Vec2> placed;
-        for (const Vec2& point : points) placed.push_back(s.bodies()[body].placed(point));
-        return face_pressures(s, placed);
+    probe.sample = profile([points, number = face.body](const Simulation& s) {
+        std::vector<FacePoint> now;
+        for (const FacePoint& point : points) now.push_back(placed(point, s.bodies()[number]));
+        return face_pressures(s, now);
     });
     return probe;
 }
 
+/// In front of the face is the fluid, whichever end the file names first.
 Probe air_film(const TomlTable& table, const Scene& scene) {
     const Face face = read_face(table, scene);
     const BodySpec& body = scene.bodies[face.body];
-    const Vec2 from = body.in_body_frame(face.from), to = body.in_body_frame(face.to);
+    Vec2 from = body.in_body_frame(face.from), to = body.in_body_frame(face.to);
+    const Vec2 middle = body.origin + 0.5 * (face.from + face.to);
+    if (along_with_fluid_on_right(body.outline, middle).dot(to - from) < 0) std::swap(from, to);
     Probe probe;
     probe.place = face.place;
-    probe.sample =
-        scalar([=, number = face.body](const Simulation& s) { return gap_to_water(s, number, from, to); });
+    probe.sample = scalar_reading(
+        [=, number = face.body](const Simulation& s) { return gap_to_water(s, number, from, to); });
     return probe;
 }
 
-Probe free_surface(const TomlTable& table, const Scene&) {
+Probe free_surface(const TomlTable& table, const Scene& scene) {
     const double low = table.number("low"), high = table.number("high");
     if (!(low < high)) table.fail("low", "expected low below high");
+    for (const char* key : {"low", "high"}) {
+        const double x = table.number(key);
+        if (x < scene.tank.low.x() || x > scene.tank.high.x())
+            table.fail(key, fmt::format("{:.6g} m is outside the tank, expected {:.6g} to {:.6g} m", x,
+                                        scene.tank.low.x(), scene.tank.high.x()));
+    }
     const std::size_t count = point_count(table);
     Probe probe;
     probe.series.abscissa = midpoints(low, high, count);
@@ -176,28 +199,40 @@ Probe free_surface(const TomlTable& table, const Scene&) {
 
 std::span<const ProbeType> probe_types() {
     static const std::vector<ProbeType> table{
-        {"front", "m", "largest x that water reaches", {}, front},
+        {"front",
+         "m",
+         "coordinate of the farthest water: largest x, or as `direction` (right, left, up, down) says",
+         {},
+         read_front,
+         {"direction", "x_range", "y_range"}},
         {"wall_pressure",
          "Pa",
-         "gauge pressure on a vertical wall, chord-weighted mean over a disc",
+         "gauge pressure on the floor, a side or the roof of the tank, chord-weighted mean over a disc",
          {"centre", "diameter"},
          wall_pressure},
-        {"water_depth", "m", "depth of water at x over a width", {"x", "width"}, water_depth_at},
+        {"water_depth",
+         "m",
+         "depth of water at x over the part of a width that lies in the tank",
+         {"x", "width"},
+         water_depth_at},
         {"body_pressure",
          "Pa",
          "gauge pressure on a face of a body, chord-weighted mean over a disc",
-         {"body", "centre", "diameter"},
-         body_pressure},
+         {"centre", "diameter"},
+         body_pressure,
+         {"body"}},
         {"face_pressure",
          "Pa",
          "gauge pressure along a face, by arc length from its first end [m]",
-         {"body", "from", "to", "points"},
-         face_pressure},
+         {"from", "to", "points"},
+         face_pressure,
+         {"body"}},
         {"air_film",
          "m",
          "gap between the face and the nearest water in front of it",
-         {"body", "from", "to"},
-         air_film},
+         {"from", "to"},
+         air_film,
+         {"body"}},
         {"free_surface",
          "m",
          "height of the highest water, by x [m]; spray counts",

@@ -247,6 +247,25 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
 
 }  // namespace
 
+Outline BodySpec::local_outline() const {
+    Outline local;
+    for (const Vec2& corner : outline) local.push_back(body.local(corner));
+    return local;
+}
+
+std::vector<FieldSeries> field_series(const Scene& scene) {
+    std::vector<FieldSeries> all;
+    for (const FieldSeries& each : all_field_series())
+        if (each.of_bodies ? !scene.bodies.empty() : scene.air) all.push_back(each);
+    return all;
+}
+
+std::vector<Outline> local_outlines(const Scene& scene) {
+    std::vector<Outline> outlines;
+    for (const BodySpec& spec : scene.bodies) outlines.push_back(spec.local_outline());
+    return outlines;
+}
+
 Scene parse_scene(const std::string& text, const std::string& path, const std::optional<std::string>& variant,
                   const std::vector<std::string>& overrides) {
     const std::string complete = with_schemes(text, path, overrides);

@@ -30,6 +30,8 @@ struct BodySpec {
     Vec2 in_body_frame(Vec2 point) const { return point + origin - body.position; }
     /// A point of the outline's frame in the scene at the start [m].
     Vec2 at_start(Vec2 point) const { return body.placed(in_body_frame(point)); }
+    /// The outline in the frame of the mass centre [m].
+    Outline local_outline() const;
 };
 
 struct InitialPressure {
@@ -97,6 +99,11 @@ std::filesystem::path find_scene(const std::string& name_or_path);
 std::filesystem::path scene_directory();
 std::filesystem::path scheme_directory();
 std::filesystem::path reference_directory();
+
+/// The series at the field files that a run of the scene holds.
+std::vector<FieldSeries> field_series(const Scene& scene);
+/// Outlines of the bodies in their frames about the mass centre [m].
+std::vector<Outline> local_outlines(const Scene& scene);
 
 /// Particles, steps and particle-steps that a run at this spacing will take, from the scene alone.
 struct CostEstimate {

@@ -7,9 +7,6 @@
 
 namespace wetdeck {
 
-/// Scales by name ("time", "length", "pressure"), as quantities and comparisons refer to them.
-using Scales = std::map<std::string, double>;
-
 /// Two numbers under one key.
 inline Vec2 point(const TomlTable& table, const std::string& key) {
     const std::vector<double> values = table.numbers(key, 2);
@@ -20,8 +17,13 @@ inline Vec2 point(const TomlTable& table, const std::string& key) {
 void read_model(const TomlTable& root, Scene& scene);
 /// The keys `law` and `sound_speed` of [air] -> the air's sound speed.
 void read_air_law(const TomlTable& air, Model& model);
-/// [[quantities]], [[compare]], [[deviations]], [[source_figures]], limits.
+/// [[quantities]], [[compare]], [[deviations]], limits; what the file says of its sources.
 void read_analysis(const TomlTable& root, Scene& scene);
+/// [[source_statements]] and [[side_by_side]]; `series` and `quantities` are the names they may use.
+void read_statements(const TomlTable& root, const std::vector<std::string>& series,
+                     const std::vector<std::string>& quantities, Scene& scene);
+/// [[source_figures]], [[unused_references]]
+void read_sources(const TomlTable& root, AnalysisSpec& analysis);
 /// [body], [body_2], ...
 void read_bodies(const TomlTable& root, Scene& scene);
 /// [[probes]]

@@ -3,12 +3,35 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
+#include "solver/probes/front.hpp"
+#include "solver/probes/phase_defects.hpp"
+#include "validation/metrics/energy_budget.hpp"
+
 namespace wetdeck {
 namespace {
 
 using Fluid = const Balance&;
 using State = const Simulation&;
-using Body = const RigidBody&;
+using Body = const BodyNow&;
+
+std::vector<Vec2> corners(Body b) {
+    std::vector<Vec2> placed;
+    for (const Vec2& corner : b.outline) placed.push_back(b.body.placed(corner));
+    return placed;
+}
+
+double clearance(Body b) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec2& corner : corners(b)) lowest = std::min(lowest, corner.y());
+    return lowest - b.level;
+}
+
+double water_gap(Body b) {
+    return gap_around(b.simulation, corners(b));
+}
 
 }  // namespace
 
@@ -38,22 +61,58 @@ const std::vector<FluidSeries>& every_run_series() {
     return table;
 }
 
+const std::vector<FieldSeries>& all_field_series() {
+    using Outlines = std::span<const Outline>;
+    static const std::vector<FieldSeries> table = {
+        {{"void_area", "m^2",
+          "area of the tank outside bodies farther than one spacing from every particle; at the field files"},
+         false,
+         [](State s, Outlines o) { return void_area(s, o); }},
+        {{"water_in_air", "-",
+          "water particles that have less than a quarter water among their neighbours within two spacings; "
+          "at "
+          "the field files"},
+         false,
+         [](State s, Outlines) { return static_cast<double>(mixed_particles(s).water_in_air); }},
+        {{"air_in_water", "-",
+          "air particles that have less than a quarter air among their neighbours within two spacings; at "
+          "the "
+          "field files"},
+         false,
+         [](State s, Outlines) { return static_cast<double>(mixed_particles(s).air_in_water); }},
+        {{"enclosed_air", "m^2",
+          "volume a metre of span of the air that is cut off from the largest body of air; at the field "
+          "files"},
+         false,
+         [](State s, Outlines) { return enclosed_air(s); }},
+        {{"particles_in_bodies", "-", "fluid particles whose centres lie inside a body; at the field files"},
+         true,
+         [](State s, Outlines o) { return static_cast<double>(particles_in_bodies(s, o)); }}};
+    return table;
+}
+
 const std::vector<BodySeries>& recorded_body_series() {
     static const std::vector<BodySeries> table = {
-        {{"body_x", "m", "mass centre"}, [](Body b) { return b.position.x(); }},
-        {{"body_y", "m", "mass centre"}, [](Body b) { return b.position.y(); }},
-        {{"body_angle", "rad", "counter-clockwise"}, [](Body b) { return b.angle; }},
-        {{"body_velocity_x", "m/s", "of the mass centre"}, [](Body b) { return b.velocity.x(); }},
-        {{"body_velocity_y", "m/s", "of the mass centre, up"}, [](Body b) { return b.velocity.y(); }},
-        {{"body_angular_velocity", "rad/s", "counter-clockwise"}, [](Body b) { return b.angular_velocity; }},
+        {{"body_x", "m", "mass centre"}, [](Body b) { return b.body.position.x(); }},
+        {{"body_y", "m", "mass centre"}, [](Body b) { return b.body.position.y(); }},
+        {{"body_angle", "rad", "counter-clockwise"}, [](Body b) { return b.body.angle; }},
+        {{"body_velocity_x", "m/s", "of the mass centre"}, [](Body b) { return b.body.velocity.x(); }},
+        {{"body_velocity_y", "m/s", "of the mass centre, up"}, [](Body b) { return b.body.velocity.y(); }},
+        {{"body_angular_velocity", "rad/s", "counter-clockwise"},
+         [](Body b) { return b.body.angular_velocity; }},
         {{"body_impulse_x", "N s/m", "time integral of the fluid's force since the start"},
-         [](Body b) { return b.impulse.x(); }},
+         [](Body b) { return b.body.impulse.x(); }},
         {{"body_impulse_y", "N s/m", "time integral of the fluid's force since the start, up"},
-         [](Body b) { return b.impulse.y(); }},
+         [](Body b) { return b.body.impulse.y(); }},
         {{"body_angular_impulse", "N s", "time integral of the fluid's torque about the mass centre"},
-         [](Body b) { return b.angular_impulse; }},
+         [](Body b) { return b.body.angular_impulse; }},
         {{"body_work", "J/m", "work of the fluid on the body since the start"},
-         [](Body b) { return b.work; }}};
+         [](Body b) { return b.body.work; }},
+        {{"body_clearance", "m",
+          "height of the lowest point of the outline above the level of the water at the start"},
+         clearance},
+        {{"body_water_gap", "m", "distance from the outline to the nearest water, less half a spacing"},
+         water_gap}};
     return table;
 }
 
@@ -66,6 +125,11 @@ const std::vector<DerivedSeries>& derived_body_series() {
         {{"body_acceleration_y", "m/s^2", "of the mass centre, up"}, "body_velocity_y"},
         {{"body_force_y_filtered", "N/m", "force of the fluid, up"}, "body_impulse_y", true},
         {{"body_acceleration_y_filtered", "m/s^2", "of the mass centre, up"}, "body_velocity_y", true}};
+    return table;
+}
+
+const std::vector<AnalysedSeries>& analysed_series() {
+    static const std::vector<AnalysedSeries> table = {{{energy_loss_name, "-", energy_loss_description}}};
     return table;
 }
 

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "solver/probes/energy.hpp"
+#include "solver/setup/body_outline.hpp"
 #include "solver/simulation.hpp"
 
 namespace wetdeck {
@@ -29,10 +31,27 @@ struct FluidSeries {
 };
 const std::vector<FluidSeries>& every_run_series();
 
+/// A series of the whole fluid that is taken when a field file is written: too costly for every sample.
+struct FieldSeries {
+    SeriesInfo info;
+    bool of_bodies;  ///< needs a body, else air
+    /// @param outlines  of the bodies, in their frames about the mass centre [m]
+    double (*value)(const Simulation&, std::span<const Outline> outlines);
+};
+const std::vector<FieldSeries>& all_field_series();
+
+/// A body at one time of a run.
+struct BodyNow {
+    const Simulation& simulation;
+    const RigidBody& body;
+    std::span<const Vec2> outline;  ///< corners, in the frame of the body [m]
+    double level;                   ///< of the water at the start [m]
+};
+
 /// A series of each body.
 struct BodySeries {
     SeriesInfo info;
-    double (*value)(const RigidBody&);
+    double (*value)(const BodyNow&);
 };
 const std::vector<BodySeries>& recorded_body_series();
 
@@ -43,6 +62,12 @@ struct DerivedSeries {
     bool filtered = false;  ///< as a moving mean of the scene's width
 };
 const std::vector<DerivedSeries>& derived_body_series();
+
+/// A series that the analysis makes of recorded ones of every run; run.h5 does not hold it.
+struct AnalysedSeries {
+    SeriesInfo info;
+};
+const std::vector<AnalysedSeries>& analysed_series();
 
 /// "body_force_y" for the first body, "body_force_y_2" for the second.
 std::string body_series_name(const std::string& name, std::size_t body);

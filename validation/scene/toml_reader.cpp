@@ -23,11 +23,14 @@ bool is_slip_of(std::string given, std::string meant) {
 
 }  // namespace
 
-void TomlTable::fail(const std::string& key, const std::string& message) const {
+std::string TomlTable::place_of(const std::string& key) const {
     const toml::node* entry = node_->table->get(key);
     const toml::source_region& region = entry ? entry->source() : node_->table->source();
-    throw InputError(
-        fmt::format("{}: key '{}{}': {}", place(*node_->path, region), node_->prefix, key, message));
+    return fmt::format("{}: key '{}{}'", place(*node_->path, region), node_->prefix, key);
+}
+
+void TomlTable::fail(const std::string& key, const std::string& message) const {
+    throw InputError(fmt::format("{}: {}", place_of(key), message));
 }
 
 void TomlTable::fail_missing(const std::string& key, const std::string& expected) const {
@@ -42,6 +45,18 @@ void TomlTable::fail_missing(const std::string& key, const std::string& expected
 bool TomlTable::has(const std::string& key) const {
     node_->known.insert(key);
     return node_->table->contains(key);
+}
+
+bool TomlTable::holds_text(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_string();
+}
+
+bool TomlTable::is_number(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_number();
+}
+
+bool TomlTable::is_table(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_table();
 }
 
 std::optional<double> TomlTable::optional_number(const std::string& key) const {

@@ -16,6 +16,11 @@ class TomlDocument;
 class TomlTable {
   public:
     bool has(const std::string& key) const;
+    /// Whether the entry is there and a text in quotes.
+    bool holds_text(const std::string& key) const;
+    /// Whether the entry is there and a number, or a table.
+    bool is_number(const std::string& key) const;
+    bool is_table(const std::string& key) const;
 
     double number(const std::string& key) const;
     double number_or(const std::string& key, double fallback) const;
@@ -42,6 +47,8 @@ class TomlTable {
     void finish() const;
     /// Throws InputError "file:line: key 'a.b': message" about an entry of this table.
     [[noreturn]] void fail(const std::string& key, const std::string& message) const;
+    /// "file:line: key 'a.b'", as in the messages of `fail`.
+    std::string place_of(const std::string& key) const;
     /// Throws for a key that is not there; an unknown one that is its slip of the pen is named instead.
     [[noreturn]] void fail_missing(const std::string& key, const std::string& expected) const;
 

@@ -137,6 +137,34 @@ TEST_CASE("A front has no peak to time", "[compare]") {
     CHECK_FALSE(result.time_error.has_value());
 }
 
+TEST_CASE("Aligned peaks leave amplitude and shape as difference, and no error of time", "[compare]") {
+    ComparisonSpec spec = spec_of("bump");
+    spec.align_peaks = true;
+    spec.window = Window{-3, 3};
+    const ComparisonResult late = result_of(spec, run_with([](double x) { return bump(x - 1.2); }));
+    CHECK(late.nrmse.value() < 1e-3);
+    CHECK(late.peak_error.value() == Approx(0).margin(1e-4));
+    CHECK_FALSE(late.time_error.has_value());
+    CHECK(late.note == "aligned on the peaks, 6.2 of the series and 5 of the reference on their own axes");
+    CHECK(late.simulated.x.front() == Approx(-6.2));
+    CHECK(late.measured.x.front() == Approx(-5));
+    const ComparisonResult high = result_of(spec, run_with([](double x) { return 1.5 * bump(x + 0.4); }));
+    CHECK(high.peak_error.value() == Approx(0.5).epsilon(1e-3));
+}
+
+TEST_CASE("A curve without a peak inside is not aligned", "[compare]") {
+    ComparisonSpec spec = spec_of(GENERATE("bump", "ramp"));
+    spec.align_peaks = true;
+    spec.window = Window{-3, 3};
+    const bool ramp = spec.reference == "ramp";
+    const ComparisonResult result = result_of(spec, run_with(ramp ? bump : +[](double x) { return x; }));
+    CHECK_FALSE(result.nrmse.has_value());
+    CHECK_FALSE(result.within);
+    CHECK(result.note == (ramp ? "the reference has its largest value at an end, there is no peak to align"
+                               : "series 'y' has its largest value at an end, there is no peak to align"));
+    CHECK((ramp ? result.measured : result.simulated).x.empty());
+}
+
 TEST_CASE("A missing reference file is neither a success nor a failure", "[compare]") {
     const ComparisonResult result = result_of(spec_of("nobody2000"), run_with(bump));
     CHECK_FALSE(result.available);
@@ -145,12 +173,20 @@ TEST_CASE("A missing reference file is neither a success nor a failure", "[compa
     CHECK(result.simulated.x.size() == 5001);
 }
 
-TEST_CASE("A faulty reference file is an error and not a missing one", "[compare]") {
-    CHECK_THROWS_WITH(result_of(spec_of("broken"), run_with(bump)),
-                      Catch::Contains("broken.csv:17: y is 'oops'"));
+TEST_CASE("A faulty reference file leaves out its comparison and says why", "[compare]") {
+    const ComparisonResult faulty = result_of(spec_of("broken"), run_with(bump));
+    CHECK_FALSE(faulty.available);
+    CHECK(faulty.unusable);
+    CHECK_FALSE(faulty.nrmse.has_value());
+    CHECK_FALSE(faulty.kind.has_value());
+    CHECK_THAT(faulty.note, Catch::StartsWith("curve not available: ") &&
+                                Catch::Contains("broken.csv:17: y is 'oops', expected a number"));
     ComparisonSpec spec = spec_of("bump");
     spec.y_column = "z";
-    CHECK_THROWS_AS(result_of(spec, run_with(bump)), DataError);
+    const ComparisonResult lacking = result_of(spec, run_with(bump));
+    CHECK(lacking.unusable);
+    CHECK_THAT(lacking.note, Catch::Contains("bump.csv: no column 'z', there are T, y"));
+    CHECK_FALSE(result_of(spec_of("nobody2000"), run_with(bump)).unusable);
 }
 
 TEST_CASE("Empty cells of the reference are left out and counted in the note", "[compare]") {

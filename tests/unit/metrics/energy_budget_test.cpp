@@ -55,3 +55,19 @@ TEST_CASE("The drift of a sum is its largest deviation from the start, in either
     CHECK_FALSE(relative_drift(record, "area").has_value());
     CHECK_FALSE(largest_value(record, "area").has_value());
 }
+
+TEST_CASE("The loss of energy is the change with the other sign, and a series like any other",
+          "[energy_budget]") {
+    RunRecord record = budget({-4, -6, -6});
+    add_energy_loss(record);
+    const Series& loss = record.series.at("energy_loss");
+    CHECK(loss.unit == "-");
+    CHECK(loss.time == std::vector<double>{0, 1, 2});
+    CHECK(loss.value == std::vector<double>{0, 0, 0.125});
+    record.series["energy_loss"].value = {1, 2, 3};
+    add_energy_loss(record);
+    CHECK(record.series.at("energy_loss").value == std::vector<double>{1, 2, 3});  // what is there stays
+    RunRecord without = budget({0, 1, 2});
+    add_energy_loss(without);
+    CHECK(without.series.count("energy_loss") == 0);
+}

@@ -139,7 +139,7 @@ TEST_CASE("A faulty header is refused with line and expectation", "[reference]")
         {"u_data: 0.05", "u_data: nan", "9: u_data is 'nan', expected a finite number"},
         {"sign: up", "sign:", "13: key 'sign' has no value"},
         {"sign: up", "figure: 2", "13: key 'figure' is given twice"},
-        {"# sign: up", "# upwards", "13: a header line without a key, expected '# key: value'"},
+        {"# sign: up", "# upwards", "16: missing key 'sign', expected '# sign: ...'"},
         {"Someone", "Some\xFFone", "2: not UTF-8 text"},
     }));
     CHECK(refusal(replaced(header, from, to) + columns + "0,1\n") == message);
@@ -149,14 +149,15 @@ TEST_CASE("Faulty column names are refused", "[reference]") {
     const auto [names, message] = GENERATE(table<std::string, std::string>({
         {"T,p [Pa]", "16: column 'T' has no unit, expected 'name [unit]'"},
         {"T [-],p [Pa", "16: column 'p [Pa' has no unit, expected 'name [unit]'"},
-        {"T [-],", "16: column '' has no unit, expected 'name [unit]'"},
+        {"T [-],,p [Pa]", "16: column '' has no unit, expected 'name [unit]'"},
         {"T [-],[Pa]", "16: column '[Pa]' has no name, expected 'name [unit]'"},
         {"T [-],T [-]", "16: column 'T' is given twice"},
         {"T [-],p\xFF [-]", "16: not UTF-8 text"},
     }));
     CHECK(refusal(header + names + "\n0,1\n") == message);
-    CHECK_THAT(refusal(header + "T [-],p [bar]\n0,1\n"),
-               Catch::StartsWith("16: column 'p' has the unknown unit 'bar', expected one of -, m, s, Pa"));
+    CHECK_THAT(refusal(header + "T [-],p [bars of soap]\n0,1\n"),
+               Catch::StartsWith("16: column 'p' has the unknown unit 'bars of soap', expected -, or a unit "
+                                 "such as m, mm, s, ms, Pa"));
 }
 
 TEST_CASE("Faulty rows are refused", "[reference]") {
@@ -169,8 +170,8 @@ TEST_CASE("Faulty rows are refused", "[reference]") {
         {"0,1.5x\n", "17: p is '1.5x', expected a number"},
         {"0,1e999\n", "17: p is '1e999', expected a number"},
         {"0,1,2\n", "17: 3 cells, expected 2"},
-        {"0\n", "17: 1 cells, expected 2"},
-        {"0;1\n", "17: 1 cells, expected 2"},
+        {"0\n", "17: 1 cell, expected 2 between ',', as in the column names"},
+        {"0;1\n", "17: 1 cell, expected 2 between ',', as in the column names"},
         {",1\n", "17: the abscissa 'T' is empty"},
         {"", "16: no rows after the column names"},
         {"\n\n", "18: no rows after the column names"},

@@ -30,17 +30,31 @@ outline = [[0.0, 0.0], [0.12, 0.0], [0.12, 0.12], [0.0, 0.12]]
 free = []
 )toml";
 
-/// A value of each key that fits the scene; of x and width, a strip of water.
-const std::map<std::string, std::string> values{{"body", "\"body\""},  {"centre", "[0.12, 0.06]"},
-                                                {"diameter", "0.04"},  {"from", "[0.0, 0.0]"},
-                                                {"to", "[0.12, 0.0]"}, {"points", "3"},
-                                                {"x", "0.2"},          {"width", "0.08"},
-                                                {"low", "0.1"},        {"high", "0.3"}};
+/// A value of each key that fits the scene; of x and width, a strip of water; of centre, a point of the body.
+const std::map<std::string, std::string> values{{"body", "\"body\""},
+                                                {"centre", "[0.12, 0.06]"},
+                                                {"direction", "\"left\""},
+                                                {"x_range", "[0.1, 0.3]"},
+                                                {"y_range", "[0.0, 0.1]"},
+                                                {"diameter", "0.04"},
+                                                {"from", "[0.0, 0.0]"},
+                                                {"to", "[0.12, 0.0]"},
+                                                {"points", "3"},
+                                                {"x", "0.2"},
+                                                {"width", "0.08"},
+                                                {"low", "0.1"},
+                                                {"high", "0.3"}};
+
+std::string value_of(const ProbeType& type, const std::string& key) {
+    const bool on_wall = std::string(type.name) == "wall_pressure" && key == "centre";
+    return on_wall ? "[1.0, 0.06]" : values.at(key);
+}
 
 std::string probe_text(const ProbeType& type, const std::string& left_out = "") {
     std::string text = fmt::format("[[probes]]\nname = \"new\"\ntype = \"{}\"\n", type.name);
-    for (const std::string key : type.keys) {
-        if (key != left_out) text += fmt::format("{} = {}\n", key, values.at(key));
+    for (const auto& keys : {type.keys, type.optional_keys}) {
+        for (const std::string key : keys)
+            if (key != left_out) text += fmt::format("{} = {}\n", key, value_of(type, key));
     }
     return text;
 }
@@ -56,6 +70,7 @@ TEST_CASE("names of probe types are unique and each row is complete", "[probe]")
         CHECK_FALSE(std::string(type.unit).empty());
         CHECK(type.read != nullptr);
         for (const std::string key : type.keys) CHECK(values.contains(key));
+        for (const std::string key : type.optional_keys) CHECK(values.contains(key));
     }
 }
 
@@ -63,12 +78,15 @@ TEST_CASE("a probe of each type is read from the keys of its row and no others",
     for (const ProbeType& type : probe_types()) {
         INFO(type.name);
         CHECK(refusal(with_body + probe_text(type)) == "");
+        for (const std::string key : type.optional_keys) {
+            CHECK(refusal(with_body + probe_text(type, key)) == "");
+        }
         for (const std::string key : type.keys) {
-            if (key == "body") continue;  // the first one if not said
             CHECK_THAT(refusal(with_body + probe_text(type, key)),
                        Contains(fmt::format("key 'probes[3].{}': missing", key)));
         }
         std::set<std::string> known(type.keys.begin(), type.keys.end());
+        known.insert(type.optional_keys.begin(), type.optional_keys.end());
         known.insert({"name", "note", "type"});
         CHECK_THAT(refusal(with_body + probe_text(type) + "colour = 1\n"),
                    EndsWith(fmt::format("key 'probes[3].colour': unknown, expected one of {}",
@@ -118,6 +136,11 @@ TEST_CASE("the list of probes in the documentation is that of the table", "[prob
     for (const ProbeType& type : probe_types()) {
         std::string keys;
         for (const std::string key : type.keys) keys += (keys.empty() ? "`" : ", `") + key + "`";
+        std::string optional;
+        for (const std::string key : type.optional_keys)
+            optional += (optional.empty() ? "optional `" : ", `") + key + "`";
+        if (!keys.empty() && !optional.empty()) keys += "; ";
+        keys += optional;
         const std::string row =
             fmt::format("| `{}` | {} | {} | {} |\n", type.name, type.records, type.unit, keys);
         CHECK_THAT(text, Contains(row));

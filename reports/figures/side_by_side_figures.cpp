@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One series of several variants.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/figures/figures.hpp"
+#include "reports/page/html.hpp"
+#include "validation/metrics/resample.hpp"
+
+namespace wetdeck::report {
+
+Figure side_by_side_figure(const AnalysisSpec& scene, const SideBySide& entry, const Runs& runs) {
+    Figure figure;
+    if (entry.series.empty()) return figure;
+    const auto compared = std::find_if(scene.comparisons.begin(), scene.comparisons.end(),
+                                       [&](const ComparisonSpec& c) { return c.quantity == entry.series; });
+    const bool scaled = compared != scene.comparisons.end();
+    figure.name = scene.scene + "-" + slug(entry.title) + "-curves";
+    figure.title = entry.title;
+    figure.x = {scaled ? compared->x_label : "time", scaled ? "" : "s", false, {}};
+    const Runs chosen = side_by_side_runs(runs, entry);
+    for (std::size_t v = 0; v < chosen.size(); ++v) {
+        const RunRecord& record = chosen[v]->record;
+        const SeriesCurve series =
+            series_curve(record, entry.series, scaled ? SeriesScaling(*compared) : SeriesScaling{});
+        if (series.curve.x.size() < 2) continue;
+        const auto found = record.series.find(entry.series);
+        figure.y = {scaled ? compared->y_label : entry.series, scaled ? "" : found->second.unit, false, {}};
+        figure.caption = fmt::format("{}: {}. Program revision {}.", entry.series, found->second.description,
+                                     revision_of(*chosen[v]));
+        figure.series.push_back(
+            line(fmt::format("{}, dx = {}", record.variant, spacing_text(record.particle_spacing)),
+                 series.curve, variant_colour(v)));
+    }
+    return figure;
+}
+
+}  // namespace wetdeck::report

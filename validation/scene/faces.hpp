@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces of the tank and of bodies, on which probes lie.
+//
+// A face of a body is a run of sides of its outline whose directions differ by less than 10 degrees from that
+// of the side in question: a straight side, or a curve drawn with short pieces.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "validation/scene/scene.hpp"
+
+namespace wetdeck {
+
+/// Where a point lies on the face nearest to it.
+struct FacePlace {
+    std::string name;      ///< "the floor", "the left wall", "the face"
+    double distance;       ///< of the point from the face [m]
+    Vec2 along;            ///< unit vector along the face
+    double before, after;  ///< length of the face on either side of the point, against and along `along` [m]
+
+    double to_end() const { return before < after ? before : after; }
+};
+
+/// Beyond it a point does not lie on a face, and a disc leaves it [m].
+inline constexpr double face_tolerance = 1e-6;
+
+/// Of the floor, the roof and the two walls; `along` is the axis x or y.
+FacePlace nearest_wall(const Box& tank, Vec2 point);
+
+/// Of a body; `along` follows the order of the corners.
+FacePlace nearest_face(const Outline& outline, Vec2 point);
+
+/// The unit vector along the nearest face that has the fluid on its right, whatever the order of the corners.
+Vec2 along_with_fluid_on_right(const Outline& outline, Vec2 point);
+
+/// Name of the body that never moves and covers the point, if there is one.
+std::optional<std::string> covered_for_good(const Scene& scene, Vec2 point);
+
+}  // namespace wetdeck
