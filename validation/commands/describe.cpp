@@ -145,6 +145,8 @@ void print_set_up(const json& all) {
     fmt::print("  water {:.4g} kg/m3, sound speed {:.4g} m/s; background pressure {:.4g} Pa\n",
                number(all["water"]["density"]), number(all["water"]["sound_speed"]),
                number(all["background_pressure"]));
+    fmt::print("  viscosity of the water {:.4g} Pa s, viscous force {}\n",
+               number(all["parameters"]["water.viscosity"]), text(all["parameters"]["model.viscosity"]));
     if (all.contains("air")) {
         fmt::print("  air {:.4g} kg/m3, sound speed {:.4g} m/s; steps of the air per step of the water: {}\n",
                    number(all["air"]["density"]), number(all["air"]["sound_speed"]),
@@ -159,7 +161,7 @@ void print_set_up(const json& all) {
 void print_model(const json& all) {
     fmt::print("\nModel (`wetdeck describe --keys` explains the keys)\n");
     for (const auto& [key, value] : all["parameters"].items())
-        if (key.starts_with("model."))
+        if (key.starts_with("model.") || key.starts_with("contact."))
             fmt::print("  {:30} {}\n", key, value.is_string() ? text(value) : value.dump());
 }
 
