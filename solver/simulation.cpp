@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/bodies/contact.hpp"
 #include "solver/core/errors.hpp"
 #include "solver/setup/lattice.hpp"
 
@@ -71,8 +72,10 @@ TimeStep Simulation::stable_step() const {
         const double stiffened = std::pow(extremes_.densest[phase], 0.5 * (laws[phase]->exponent - 1));
         fastest[phase] += laws[phase]->sound_speed * (stiffened - 1);
     }
-    return stable_time_step(model(), kernel().smoothing_length, fastest, fluid().water > 0,
-                            fluid().water < fluid().size());
+    const TimeStep step = stable_time_step(model(), kernel().smoothing_length, fastest, fluid().water > 0,
+                                           fluid().water < fluid().size());
+    if (!model().contact.on()) return step;
+    return with_contact(step, contact_frequency(bodies(), domain(), model().contact, particle_spacing()));
 }
 
 std::optional<Instability> Simulation::step(double longest) {
@@ -100,12 +103,16 @@ std::optional<Instability> Simulation::step(double longest) {
 }
 
 std::optional<Instability> Simulation::run(double end, const Observer& observe,
-                                           const StabilityMonitor& monitor) {
+                                           const StabilityMonitor& monitor,
+                                           const StabilityMonitor& each_step) {
     constexpr std::uint64_t steps_between_checks = 64;
     observe(*this);
     while (time_ < end) {
         if (std::optional<Instability> instability = step(end - time_)) return instability;
         const StageTimer timer(rates_.stages().probes);
+        if (each_step) {
+            if (std::optional<Instability> instability = each_step(*this)) return instability;
+        }
         if (monitor && (steps_ % steps_between_checks == 0 || time_ >= end)) {
             if (std::optional<Instability> instability = monitor(*this)) return instability;
         }

@@ -45,7 +45,9 @@ class Simulation {
     using StabilityMonitor = std::function<std::optional<Instability>(const Simulation&)>;
 
     /// Runs until `end` [s] or until the run becomes unstable, which is returned.
-    std::optional<Instability> run(double end, const Observer& observe, const StabilityMonitor& monitor = {});
+    /// @param each_step  looks after every step, before the observer
+    std::optional<Instability> run(double end, const Observer& observe, const StabilityMonitor& monitor = {},
+                                   const StabilityMonitor& each_step = {});
 
     /// One step of the water of the given size at most. Returns what has left its range, if anything.
     std::optional<Instability> step(double longest);
@@ -62,6 +64,7 @@ class Simulation {
     std::uint64_t steps() const { return steps_; }                               ///< of the water, so far
     std::uint64_t particle_steps() const { return particle_steps_; }             ///< rates summed so far
     TimeStep time_step() const { return time_step_; }                            ///< of the last step
+    TimeStep next_step() const { return step_of(model(), stable_step()); }       ///< unless it is shortened
     const StageTimes& stage_times() const { return rates_.stages(); }            ///< so far
 
     /// Steps whose size each criterion set, in the order of LimitingCriterion.

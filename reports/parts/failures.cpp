@@ -6,6 +6,7 @@
 
 #include "reports/parts/parts.hpp"
 #include "reports/parts/tables.hpp"
+#include "validation/metrics/flow_flags.hpp"
 
 namespace wetdeck::report {
 namespace {
@@ -88,6 +89,19 @@ std::string outside_table(const Runs& runs) {
     return table.empty() ? "" : table.html();
 }
 
+/// Runs that reached their end with a density error or particles outside the tank that make them doubtful.
+Table doubtful_flows(const Summary& summary) {
+    Table table({"run", "doubt"});
+    for (const AnalysisSpec& scene : scenes_of(summary)) {
+        for (const RunSummary* run : runs_of(summary, scene)) {
+            if (!completed(*run)) continue;
+            for (const std::string& flag : flow_flags(run->record))
+                table.add({markup(run_label(*run), "name"), text(flag)});
+        }
+    }
+    return table;
+}
+
 /// Runs of `all` that are not in `some`.
 Runs others(const Runs& all, const Runs& some) {
     Runs out;
@@ -138,12 +152,15 @@ void add_failures(Page& page, const Summary& summary) {
         page.add("<h4>Runs that became unstable or failed, and missing runs</h4>\n" + incomplete);
     if (!finest.empty()) page.add("<h4>Outside tolerance at the finest spacing of a variant</h4>\n" + finest);
     if (!coarser.empty()) page.add(details("Outside tolerance at coarser spacings", coarser));
+    const Table flagged = doubtful_flows(summary);
+    if (!flagged.empty()) page.add("<h4>Runs with a doubtful flow</h4>\n" + flagged.html());
     if (!expected.empty())
         page.add(details("Runs that became unstable as their scene expects", expected.html()));
     if (incomplete.empty() && finest.empty() && coarser.empty()) {
         page.add(paragraph(
-            fmt::format("Every {}run completed, and every value and curve with a tolerance lies within it.",
-                        expected.empty() ? "" : "other ")));
+            fmt::format("Every {}run completed, and every value and curve with a tolerance lies within it{}.",
+                        expected.empty() ? "" : "other ",
+                        flagged.empty() ? "" : "; the flow of the runs above is doubtful all the same")));
     }
     page.add(notes_on(summary.runs));
 }

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "solver/core/errors.hpp"
 #include "solver/core/vec2.hpp"
@@ -53,13 +54,15 @@ struct RigidBody {
     Vec2 force = Vec2::Zero();         ///< by the fluid, of the last evaluation [N/m]
     double torque = 0;                 ///< by the fluid, about the mass centre [N]
     BodyLoad slow;                     ///< the slow part of both
+    BodyLoad contact;                  ///< by the tank and other bodies, of the last evaluation
     BodyLoad slow_with_excess;         ///< the same with x (a_last - g)
     Vec2 acceleration = Vec2::Zero();  ///< of the mass centre [m/s^2]
     double angular_acceleration = 0;   ///< [rad/s^2]
 
-    double added_mass = 0;     ///< of the water that follows the surface at once [kg/m]
-    double added_inertia = 0;  ///< of the same, about the mass centre [kg m]
-    double radius = 0;         ///< of the farthest boundary particle about the mass centre [m]
+    double added_mass = 0;           ///< of the water that follows the surface at once [kg/m]
+    double added_inertia = 0;        ///< of the same, about the mass centre [kg m]
+    std::vector<Vec2> corners = {};  ///< of the outline, in the body's frame [m]; only contact needs them
+    double radius = 0;               ///< of the farthest boundary particle about the mass centre [m]
 
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
@@ -85,16 +88,17 @@ struct RigidBody {
         slow_with_excess.torque = load.torque + excess_inertia() * angular_acceleration;
     }
 
-    /// Sets the fast loads by the fluid, and the accelerations that follow from all loads.
+    /// Sets the fast loads by the fluid, and the accelerations that follow from all loads, those of contact
+    /// included.
     void set_fast_load(const BodyLoad& load, Vec2 gravity) {
         force = load.force + slow.force;
         torque = load.torque + slow.torque;
-        const Vec2 total_force = load.force + slow_with_excess.force + applied_force;
+        const Vec2 total_force = load.force + slow_with_excess.force + applied_force + contact.force;
         for (int k = 0; k < 2; ++k) {
             const bool moves = free[static_cast<std::size_t>(k)];
             acceleration[k] = moves ? total_force[k] / (mass + excess_mass()) + gravity[k] : 0;
         }
-        const double total_torque = load.torque + slow_with_excess.torque + applied_torque;
+        const double total_torque = load.torque + slow_with_excess.torque + applied_torque + contact.torque;
         angular_acceleration = free[2] ? total_torque / (inertia + excess_inertia()) : 0;
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/passes/rates.hpp"
 
+#include "solver/bodies/contact.hpp"
 #include "solver/physics/sponge.hpp"
 
 namespace wetdeck {
@@ -156,6 +157,8 @@ void Rates::body_loads(Flow& flow, double substep_weight) {
         in.loading = {false, true};
         passes_.body_forces(in);
     }
+    const ContactLaw& contact = setup_.model.contact;
+    if (contact.on()) set_contact_loads(flow.bodies, setup_.domain, contact);
     for (std::size_t b = 0; b < flow.bodies.size(); ++b)
         flow.bodies[b].set_fast_load(has_air ? load_on(flow, b) : BodyLoad{}, gravity);
 }

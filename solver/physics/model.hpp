@@ -4,6 +4,7 @@
 #pragma once
 
 #include "solver/core/vec2.hpp"
+#include "solver/physics/contact.hpp"
 #include "solver/physics/dissipation.hpp"
 #include "solver/physics/equation_of_state.hpp"
 #include "solver/physics/interparticle_mean.hpp"
@@ -51,6 +52,8 @@ struct Model {
     SpongeRamp sponge_ramp = SpongeRamp::exponential;  ///< reading of Eq. (25)
     bool negative_pressure = true;  ///< false: density is kept at or above the reference (water without air)
     double full_kernel_sum = 0.9;   ///< kernel sum from which the density of water may rise, 0 for any
+
+    ContactLaw contact;  ///< of bodies with the tank and each other
 
     bool periodic_x = false;  ///< the domain's left and right end are joined; no bodies, no sponge
 

@@ -1,10 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/setup/initial_pressure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace wetdeck {
+
+double water_top(const std::vector<Box>& boxes, Vec2 position) {
+    constexpr double tolerance = 1e-9;
+    double top = position.y();
+    const auto next = [&] {
+        return std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) {
+            const bool in_column = box.low.x() <= position.x() && position.x() <= box.high.x();
+            return in_column && box.low.y() <= top + tolerance && box.high.y() > top + tolerance;
+        });
+    };
+    for (auto box = next(); box != boxes.end(); box = next()) top = box->high.y();
+    return top;
+}
 
 double greco_pressure(double density, double gravity, double height, double distance_to_face, double y) {
     using std::numbers::pi;

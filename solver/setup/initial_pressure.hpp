@@ -7,12 +7,16 @@
 
 namespace wetdeck {
 
+/// Top of the water above a point in a column: of its box and of those that stand on it without a gap [m].
+double water_top(const std::vector<Box>& boxes, Vec2 position);
+
 /// Gauge pressure [Pa] in a column of water just after its gate is gone, Yang et al. (2020), Eq. (27), after
 /// Greco (2001):
 ///     p = rho g (h - y) - (8 rho g h / pi^2) SUM_n (2n+1)^-2 exp(-k_n d) cos(k_n y),   k_n = (2n+1) pi /
 ///     (2h)
 /// with d >= 0 the distance to the released face and y the height above the bed. Zero on the face and on the
 /// surface.
+/// @param distance_to_face  on either side of the column
 double greco_pressure(double density, double gravity, double height, double distance_to_face, double y);
 
 /// Sets each particle's density so that its pressure is gauge + background. The volume stays and the mass

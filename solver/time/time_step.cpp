@@ -46,6 +46,12 @@ TimeStep stable_time_step(const Model& model, double smoothing_length,
     return step;
 }
 
+TimeStep with_contact(TimeStep step, double frequency) {
+    constexpr double share = 0.2;
+    const bool limits = frequency > 0 && share / frequency < step.size;
+    return limits ? TimeStep{share / frequency, LimitingCriterion::contact} : step;
+}
+
 TimeStep step_of(const Model& model, TimeStep stable) {
     if (!(model.fixed_step > 0)) return stable;
     const bool within = model.fixed_step <= stable.size;

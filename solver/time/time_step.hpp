@@ -14,10 +14,10 @@ namespace wetdeck {
 
 /// The bounds on the step, in the order of their names. A fixed step is within the other criteria or
 /// beyond them.
-enum class LimitingCriterion { acoustic_water, acoustic_air, viscous, force, fixed, fixed_beyond };
+enum class LimitingCriterion { acoustic_water, acoustic_air, viscous, force, fixed, fixed_beyond, contact };
 /// As a run stores them.
 inline constexpr std::array limiting_criterion_names = {
-    "acoustic_water", "acoustic_air", "viscous", "force", "fixed", "fixed_beyond_criterion"};
+    "acoustic_water", "acoustic_air", "viscous", "force", "fixed", "fixed_beyond_criterion", "contact"};
 
 /// A step and what set its size.
 struct TimeStep {
@@ -38,6 +38,11 @@ int air_substeps(const Model& model);
 /// @param has_air           likewise
 TimeStep stable_time_step(const Model& model, double smoothing_length,
                           const std::array<double, phase_count>& fastest, bool has_water, bool has_air);
+
+/// The step, or a shorter one that resolves contact: a fifth of 1/omega, a tenth of what velocity Verlet
+/// bears.
+/// @param frequency  highest angular frequency omega of the contacts, 0 without any [1/s]
+TimeStep with_contact(TimeStep step, double frequency);
 
 /// The step that a model takes: the stable one, or its fixed step.
 TimeStep step_of(const Model& model, TimeStep stable);

@@ -29,7 +29,7 @@ std::string put_long_scene(const ScratchFolder& folder) {
                                                "frames = [0.05, 0.1]", "frame_interval = 0.1"));
 }
 
-/// The same, and a block that falls into the water.
+/// The same, and a block that falls into the water and on the floor.
 std::string put_long_scene_with_body(const ScratchFolder& folder) {
     const std::string scene = samples::bytes_of(put_long_scene(folder));
     samples::put_bytes(folder / "body.toml", samples::replaced(scene, "[model]\n", R"toml([body]
@@ -39,6 +39,9 @@ free = ["x", "y", "rotation"]
 velocity_y = -1.0
 mass = 15.0
 inertia = 0.05
+
+[contact]
+restitution = 0.5
 
 [model]
 )toml"));
@@ -82,7 +85,9 @@ bool same_fields(const std::filesystem::path& a, const std::filesystem::path& b)
 void require_same_run(const std::filesystem::path& a, const std::filesystem::path& b) {
     REQUIRE(same_but_cost(read_run(a / "run.h5"), read_run(b / "run.h5")));
     REQUIRE(same_fields(a, b));
-    REQUIRE(list_checkpoints(b).empty());
+    const std::vector<std::filesystem::path> kept = list_checkpoints(b);
+    REQUIRE(kept.size() == 1);  // the one before the last step, for a later end
+    REQUIRE(read_checkpoint(kept.front()).step + 1 == read_run(b / "run.h5").cost.steps);
 }
 
 std::filesystem::path newest_file(const std::filesystem::path& directory) {
@@ -276,4 +281,52 @@ TEST_CASE("a run whose disk becomes full goes on when there is room again", "[fa
     REQUIRE(outcome.code == 0);
     REQUIRE(run_program(run_into(scene, folder / "whole")).code == 0);
     require_same_run(folder / "whole", run);
+}
+
+TEST_CASE("a run that has ended goes on to a later end with the same bits", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_long_scene_with_body(folder);
+    const auto run_until = [&](const char* end, const char* name) {
+        std::vector<std::string> arguments = run_into(scene, folder / name);
+        arguments.insert(arguments.end(), {"--until", end});
+        return run_program(arguments).code;
+    };
+    const auto parted = folder / "parted";
+    const auto resumed_to = [&](const char* end) {
+        return run_program({"resume", parted, "--until", end, "--threads", "2"});
+    };
+    REQUIRE(run_until("0.0513", "parted") == 0);
+    SECTION("within the scene's time, in two parts") {
+        REQUIRE(run_until("0.2", "whole") == 0);
+        REQUIRE(resumed_to("0.12345").code == 0);
+        const Outcome last = resumed_to("0.2");
+        INFO(last.err);
+        REQUIRE(last.code == 0);
+        REQUIRE_THAT(last.out, Contains("continuing from t = 0.123"));
+        require_same_run(folder / "whole", parted);
+    }
+    SECTION("to the end of the scene and beyond") {
+        REQUIRE(run_program(run_into(scene, folder / "scene")).code == 0);
+        REQUIRE(resumed_to("0.6").code == 0);
+        require_same_run(folder / "scene", parted);
+        REQUIRE(run_until("0.65", "beyond") == 0);
+        REQUIRE(resumed_to("0.65").code == 0);
+        require_same_run(folder / "beyond", parted);
+    }
+    SECTION("not to an earlier end, and to the same one without a step") {
+        const auto before = samples::bytes_of(parted / "run.h5");
+        const Outcome earlier = resumed_to("0.05");
+        REQUIRE(earlier.code == 2);
+        REQUIRE(earlier.one_line());
+        REQUIRE_THAT(earlier.err, Contains("--until is 0.05 s") && Contains("0.0513 s"));
+        REQUIRE_THAT(resumed_to("0.0513").out, Contains("the run has finished already"));
+        REQUIRE(samples::bytes_of(parted / "run.h5") == before);
+    }
+    SECTION("not without its checkpoint") {
+        std::filesystem::remove(list_checkpoints(parted).front());
+        const Outcome refused = resumed_to("0.2");
+        REQUIRE(refused.code == 2);
+        REQUIRE_THAT(refused.err, Contains("holds no checkpoint to continue from"));
+        REQUIRE(std::filesystem::exists(parted / "run.h5"));
+    }
 }

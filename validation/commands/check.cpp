@@ -56,6 +56,7 @@ Finding check_scene(const std::string& file) {
         };
         for (const std::string& doubt : doubtful(varied)) add_once(found.doubts, doubt);
         for (const std::string& note : varied.notes) add_once(found.notes, note);
+        for (const std::string& remark : remarks(varied)) add_once(found.notes, remark);
         for (const auto& [tier, spacings_of] : varied.tiers) {
             const auto spacings = spacings_of.find(variant.name);
             if (spacings == spacings_of.end()) continue;

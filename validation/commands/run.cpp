@@ -41,10 +41,8 @@ int run_command(const RunCommand& options) {
     RunOptions run;
     run.particle_spacing =
         options.choice.particle_spacing ? *options.choice.particle_spacing : finest_quick_spacing(scene);
-    for (const Probe& probe : scene.probes)
-        for (const std::string& doubt : probe.doubts) fmt::print(stderr, "doubt: {}\n", doubt);
-    if (const auto doubt = doubtful_step(scene, run.particle_spacing))
-        fmt::print(stderr, "doubt: {}\n", *doubt);
+    for (const std::string& doubt : doubts_of_run(scene, run.particle_spacing))
+        fmt::print(stderr, "doubt: {}\n", doubt);
     run.until = options.choice.until;
     run.replace = options.replace;
     run.directory = options.directory.empty()

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "validation/metrics/flow_flags.hpp"
 #include "validation/metrics/time_origin.hpp"
 #include "validation/run/exit_code.hpp"
 
@@ -38,6 +39,7 @@ void print_text(const RunRecord& record, const fs::path& directory, const Verbos
     const RunCost& cost = record.cost;
     fmt::print("{} {} dx {}: {}{}\n", record.scene, record.variant, record.particle_spacing,
                to_string(record.status), record.stop_reason.empty() ? "" : " " + record.stop_reason);
+    for (const std::string& flag : flow_flags(record)) fmt::print(stderr, "doubt: {}\n", flag);
     if (verbosity.quiet) return;
     fmt::print(
         "  {} fluid particles, {} steps in {:.2f} s: {:.2f} M particle-steps/s, {:.0f} bytes per particle\n",

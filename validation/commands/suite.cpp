@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
@@ -16,6 +17,7 @@
 #include "validation/run/exit_code.hpp"
 #include "validation/run/progress.hpp"
 #include "validation/run/stop_signal.hpp"
+#include "validation/scene/plausibility.hpp"
 #include "validation/store/run_store.hpp"
 
 namespace wetdeck {
@@ -76,6 +78,18 @@ void print_plan(const PlanOptions& options, bool as_json) {
     fmt::print("about {} of work for one core remain\n", duration_text(left));
 }
 
+/// Each doubt about the rows, once for each scene and variant.
+void print_doubts(const std::vector<SuiteRow>& rows) {
+    std::set<std::string> told;
+    for (const SuiteRow& row : rows) {
+        const Scene scene = read_scene(find_scene(row.scene), row.variant, row.overrides);
+        for (const std::string& doubt : doubts_of_run(scene, row.particle_spacing)) {
+            const std::string line = fmt::format("doubt: {} {}: {}", scene.name(), row.variant, doubt);
+            if (told.insert(line).second) fmt::print(stderr, "{}\n", line);
+        }
+    }
+}
+
 LocalOptions local_options(const SuiteOptions& options) {
     return {options.row, options.jobs, options.quiet};
 }
@@ -97,6 +111,7 @@ int run_suite(SuiteOptions options) {
     if (options.print_plan) return print_plan(plan, options.json), exit_done;
     if (options.row_number) return run_one_row(options, *options.row_number);
     const std::vector<SuiteRow> rows = suite_rows(plan);
+    print_doubts(rows);
     check_references(rows);
     std::vector<std::string> planned;
     for (const SuiteRow& row : rows) planned.push_back(fs::relative(row.directory, plan.directory).string());

@@ -87,19 +87,20 @@ WallParticles boundary(const Scene& scene, double particle_spacing) {
     return walls;
 }
 
-/// Gauge pressure at the start: the air weighs on the water, the water stands as the scene says.
+/// Gauge pressure at the start: the air weighs on the water, and the water of each column on what is below.
 double initial_gauge_pressure(const Scene& scene, Phase phase, Vec2 position) {
     const double g = -scene.model.gravity.y();
     const InitialPressure& initial = scene.initial;
     const double air_density = scene.air ? scene.model.air.eos.reference_density : 0;
     if (phase == Phase::air) return air_density * g * (scene.tank.high.y() - position.y());
-    const double on_surface = air_density * g * (scene.tank.high.y() - initial.surface);
+    const double top = water_top(scene.water_boxes, position);
+    const double on_surface = air_density * g * (scene.tank.high.y() - top);
     const double density = scene.model.water.eos.reference_density;
     if (initial.law == InitialPressure::Law::greco) {
-        return on_surface + greco_pressure(density, g, initial.surface, initial.released_face - position.x(),
-                                           position.y());
+        return on_surface +
+               greco_pressure(density, g, top, std::abs(initial.released_face - position.x()), position.y());
     }
-    return on_surface + density * g * (initial.surface - position.y());
+    return on_surface + density * g * (top - position.y());
 }
 
 }  // namespace
@@ -111,7 +112,11 @@ Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
         return initial_gauge_pressure(scene, phase, position);
     });
     std::vector<RigidBody> bodies;
-    for (const BodySpec& spec : scene.bodies) bodies.push_back(spec.body);
+    for (const BodySpec& spec : scene.bodies) {
+        bodies.push_back(spec.body);
+        if (!model.contact.on()) continue;
+        for (const Vec2& corner : spec.outline) bodies.back().corners.push_back(spec.body.local(corner));
+    }
     Execution execution = scene.execution;
     execution.threads = threads;
     execution.instruction_set = instruction_set_from_environment();

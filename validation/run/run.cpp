@@ -12,6 +12,7 @@
 #include "validation/metrics/quantities.hpp"
 #include "validation/metrics/time_origin.hpp"
 #include "validation/run/assemble.hpp"
+#include "validation/run/contact_monitor.hpp"
 #include "validation/run/field_frame.hpp"
 #include "validation/run/field_time_series.hpp"
 #include "validation/run/last_good_frame.hpp"
@@ -124,7 +125,7 @@ class Run {
         RunRecord record = describe();
         const auto observe = [&](const Simulation&) { this->observe(progress); };
         if (const std::optional<Instability> instability =
-                simulation_.run(end_, observe, penetration_monitor(scene_))) {
+                simulation_.run(end_, observe, penetration_monitor(scene_), contact_monitor(scene_))) {
             record.status = RunStatus::unstable;
             record.stop_reason = instability->describe();
             const FieldFrame& last = last_good_.frame();
@@ -169,7 +170,7 @@ class Run {
         record.scene_path = scene_.path;
         provenance_.add_to(record.provenance);
         record_parameters(record, scene_, simulation_);
-        if (end_ < scene_.end_time) record.parameters["run.until"] = end_;
+        if (end_ != scene_.end_time) record.parameters["run.until"] = end_;
         record.provenance["time_origins"] = origins_text(scene_.analysis.origins);
         record.provenance["reference_hashes"] =
             reference_hashes(scene_.analysis, reference_directory() / scene_.name());
@@ -201,7 +202,9 @@ class Run {
             progress.update(s.time() / end_,
                             fmt::format("t = {:.4g} of {:.4g} s, step {}", s.time(), end_, s.steps()));
         const int signal = s.time() < end_ ? stop_signal() : 0;
-        if (signal != 0 || (kept && clock_.due())) write_state();
+        // the last step is shortened to the end: a longer run goes on from the state before it
+        const bool ends_next = s.time() < end_ && s.time() + s.next_step().size >= end_;
+        if (signal != 0 || ends_next || (kept && clock_.due())) write_state();
         if (signal != 0)
             throw Interrupted(
                 signal, fmt::format(" at t = {:.4g} of {:.4g} s; continue with: wetdeck resume {}", s.time(),
@@ -245,6 +248,19 @@ class Run {
     LastGoodFrame last_good_{steps_between_};
 };
 
+/// Makes a directory that of a run to another end: its identity, then its checkpoint, then no result.
+/// Whatever is interrupted in between can be asked for again.
+void ask_for_end(Checkpoint& checkpoint, const Scene& scene, const RunOptions& options) {
+    const RunDirectory directory(options.directory, identity_of(scene, options), OnConflict::extend);
+    save_request(checkpoint, scene, options);
+    write_checkpoint(options.directory, checkpoint);
+    std::error_code error;
+    std::filesystem::remove(run_file(options.directory), error);
+    if (error)
+        throw EnvironmentError(
+            fmt::format("{}: cannot be removed: {}", run_file(options.directory).string(), error.message()));
+}
+
 }  // namespace
 
 std::string identity_of(const Scene& scene, const RunOptions& options) {
@@ -277,21 +293,35 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
     }
     std::error_code ignored;
     std::filesystem::remove(live_file(folder), ignored);
-    remove_checkpoints(folder);
+    if (record.status == RunStatus::ok) {
+        keep_newest_checkpoint(folder);
+    } else {
+        remove_checkpoints(folder);
+    }
     return record;
 }
 
-std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory) {
+std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory,
+                                             std::optional<double> until) {
     std::pair<Scene, RunOptions> run;
+    auto& [scene, options] = run;
     try {
-        const std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
+        std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
         if (!checkpoint)
             throw DataError(fmt::format("{}: holds no checkpoint to continue from", directory.string()));
         run = {scene_in(*checkpoint), options_in(*checkpoint)};
-        run.second.directory = directory;
-        if (identity_in(directory) != identity_of(run.first, run.second))
+        options.directory = directory;
+        const std::string before = identity_of(scene, options);
+        const double time = checkpoint->number("solver.time");
+        if (until) options.until = until;
+        const std::optional<std::string> found = identity_in(directory);
+        if (found != before && found != identity_of(scene, options))
             throw DataError(fmt::format("{}: the checkpoint belongs to another run than the directory ({})",
-                                        directory.string(), identity_in(directory).value_or("no identity")));
+                                        directory.string(), found.value_or("no identity")));
+        if (until && !(*until > time))
+            throw InputError(fmt::format("--until is {} s, expected a time after the checkpoint at {:.6g} s",
+                                         *until, time));
+        if (until) ask_for_end(*checkpoint, scene, options);
     } catch (const DataError& error) {
         throw with_way_out(error, directory);
     }

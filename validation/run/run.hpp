@@ -23,13 +23,16 @@ struct RunOptions {
 
 /// Runs and stores. A run that becomes unstable is stored too, with status and reason, its series and its
 /// last good fields. Where the directory holds a checkpoint of the same run it continues from there and ends
-/// with the same bits. Throws InputError (bad scene, spacing, directory in use), EnvironmentError (disk
+/// with the same bits. A run that reaches its end keeps the checkpoint before its last step, from which it
+/// can go on to a later end. Throws InputError (bad scene, spacing, directory in use), EnvironmentError (disk
 /// full, no permission) and, when a signal came and its checkpoint is written, Interrupted.
 RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress);
 
-/// The scene and options of the interrupted run in a directory. Throws DataError where it holds no checkpoint
-/// that can be read.
-std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory);
+/// The scene and options of the run in a directory that its checkpoint can continue. With `until` [s] the run
+/// is asked for anew, to that end: a run.h5 of a shorter one is removed. Throws DataError where the directory
+/// holds no checkpoint that can be read, InputError for an end before the checkpoint.
+std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& directory,
+                                             std::optional<double> until = std::nullopt);
 
 /// What identifies the run that these options ask for.
 std::string identity_of(const Scene& scene, const RunOptions& options);

@@ -154,6 +154,31 @@ ModelKey skin_row() {
     return row;
 }
 
+/// A row of the law of contact.
+ModelKey contact_row(const char* key, double ContactLaw::*member, const char* meaning, const char* unit) {
+    ModelKey row{"contact", key, meaning, unit, ""};
+    row.get = [member](const Scene& s) -> KeyValue { return s.model.contact.*member; };
+    row.set = [member](Scene& s, const KeyValue& v) { s.model.contact.*member = std::get<double>(v); };
+    return row;
+}
+
+ModelKey contact_stiffness_row() {
+    ModelKey row = contact_row(
+        "stiffness", &ContactLaw::stiffness,
+        "stiffness of each corner of a body in contact; 0: a body that touches anything ends the run",
+        "N/m^2");
+    row.default_note = "0; 10 rho c^2 of the water with a table [contact]";
+    return removable(std::move(row), "contact", 0.0);
+}
+
+ModelKey contact_restitution_row() {
+    ModelKey row = contact_row("restitution", &ContactLaw::restitution,
+                               "speed after a contact over the speed before it", "-");
+    row.low = lowest_restitution;
+    row.high = 1;
+    return row;
+}
+
 ModelKey with_default(ModelKey row, const char* note) {
     row.default_note = note;
     return row;
@@ -241,6 +266,8 @@ std::vector<ModelKey> rows() {
                          "size of every time step; 0: the stable step of each moment", "Eq. (26)"),
                   "s"),
         skin_row(),
+        contact_stiffness_row(),
+        contact_restitution_row(),
         material_row(
             "water", "density", [](Scene& s) -> double& { return s.model.water.eos.reference_density; },
             "reference density of the water", "kg/m^3"),

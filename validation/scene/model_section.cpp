@@ -73,6 +73,7 @@ void read_model(const TomlTable& root, Scene& scene) {
     if (air) {
         m.air = read_material(*air);
         read_air_law(*air, m);
+        scene.air_law = air->text("law");
     }
     set_defaults(scene);
     read_model_keys(model, "model", scene);
@@ -80,6 +81,12 @@ void read_model(const TomlTable& root, Scene& scene) {
     if (const std::optional<TomlTable> execution = root.optional_table("execution")) {
         read_model_keys(*execution, "execution", scene);
         execution->finish();
+    }
+    if (const std::optional<TomlTable> contact = root.optional_table("contact")) {
+        const TaitEquationOfState& eos = m.water.eos;
+        m.contact.stiffness = 10 * eos.reference_density * eos.sound_speed * eos.sound_speed;
+        read_model_keys(*contact, "contact", scene);
+        contact->finish();
     }
     check_choices(model, scene);
 }

@@ -2,48 +2,37 @@
 #include "validation/scene/plausibility.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "solver/setup/body_outline.hpp"
+#include "solver/setup/initial_pressure.hpp"
 #include "solver/time/time_step.hpp"
+#include "validation/scene/expected_motion.hpp"
+#include "validation/scene/unused_values.hpp"
 
 namespace wetdeck {
 namespace {
 
-double lowest(const Outline& outline) {
-    const auto below = [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); };
-    return std::min_element(outline.begin(), outline.end(), below)->y();
+using Doubts = std::vector<std::string>;
+
+bool can_move(const RigidBody& body) {
+    return body.free[0] || body.free[1] || body.free[2];
 }
 
-/// Of the bodies when they have fallen to the water, and of the water when its column has collapsed [m/s].
-double fastest_speed(const Scene& scene) {
-    const double g = scene.model.gravity.norm();
-    double fastest = 0;
-    for (const Box& box : scene.water_boxes) {
-        const bool fills_tank = (box.high - box.low).x() >= 0.99 * (scene.tank.high - scene.tank.low).x();
-        if (!fills_tank) fastest = std::max(fastest, std::sqrt(g * (box.high - box.low).y()));
-    }
-    for (const BodySpec& body : scene.bodies) {
-        const double fall = std::max(0.0, lowest(body.outline) - scene.initial.surface);
-        const double falling = body.body.free[1] ? 2 * g * fall : 0;
-        fastest = std::max(fastest, std::sqrt(body.body.velocity.squaredNorm() + falling));
-    }
-    return fastest;
-}
-
-}  // namespace
-
-std::vector<std::string> doubtful(const Scene& scene) {
-    std::vector<std::string> found;
+void doubt_fluids(const Scene& scene, Doubts& found) {
     const TaitEquationOfState& eos = scene.model.water.eos;
-    const double speed = fastest_speed(scene);
+    const ExpectedSpeed fastest = fastest_expected_speed(scene);
+    const double speed = fastest.speed;
     if (eos.sound_speed < 9.9 * speed) {
         found.push_back(fmt::format(
-            "water.sound_speed is {:.4g} m/s, less than ten times the fastest speed to expect, {:.3g} m/s: "
+            "water.sound_speed is {:.4g} m/s, less than ten times the fastest speed to expect, {:.3g} m/s "
+            "{}: "
             "the water would be compressed by about {:.2g} %",
-            eos.sound_speed, speed, 100 * speed * speed / (eos.sound_speed * eos.sound_speed)));
+            eos.sound_speed, speed, fastest.of, 100 * speed * speed / (eos.sound_speed * eos.sound_speed)));
     }
     const TaitEquationOfState& air = scene.model.air.eos;
     if (scene.air && air.background_pressure > 0.5 * air.coefficient()) {
@@ -52,24 +41,120 @@ std::vector<std::string> doubtful(const Scene& scene) {
             "c^2/gamma, {:.3g} Pa: it would tear light air apart",
             air.background_pressure, air.coefficient()));
     }
+    if (scene.air && air.reference_density > eos.reference_density)
+        found.push_back(fmt::format("air.density is {:.4g} kg/m3, more than water.density, {:.4g} kg/m3",
+                                    air.reference_density, eos.reference_density));
+}
+
+void doubt_gravity(const Scene& scene, Doubts& found) {
+    const Vec2& g = scene.model.gravity;
+    if (g.y() > 0) found.push_back(fmt::format("gravity points up: [{:.4g}, {:.4g}] m/s2", g.x(), g.y()));
+    if (std::abs(g.x()) > std::abs(g.y()))
+        found.push_back(fmt::format("gravity points sideways: [{:.4g}, {:.4g}] m/s2", g.x(), g.y()));
+    if (g.norm() > 20) found.push_back(fmt::format("gravity is {:.4g} m/s2: is it in m/s2?", g.norm()));
+}
+
+/// Tops of the water over all columns.
+std::set<double> tops_of(const std::vector<Box>& boxes) {
+    std::set<double> tops;
+    for (const Box& box : boxes) {
+        for (const Box& other : boxes) {
+            const double x = std::max(box.low.x(), other.low.x());
+            if (x < box.high.x()) tops.insert(water_top(boxes, {x + 1e-9, box.low.y() + 1e-9}));
+        }
+    }
+    return tops;
+}
+
+void doubt_initial(const Scene& scene, Doubts& found) {
+    const std::set<double> tops = tops_of(scene.water_boxes);
+    const double surface = scene.initial.surface;
+    const auto is_surface = [surface](double top) { return std::abs(top - surface) < 1e-6; };
+    if (!tops.empty() && std::none_of(tops.begin(), tops.end(), is_surface)) {
+        std::vector<std::string> texts;
+        for (const double top : tops) texts.push_back(fmt::format("{:.6g}", top));
+        found.push_back(fmt::format(
+            "initial.surface is {:.6g} m, but the top of the water is at {} m: the pressure at the start is "
+            "that of the water above each particle",
+            surface, fmt::join(texts, " and ")));
+    }
+    if (scene.initial.law != InitialPressure::Law::greco) return;
+    double width = 0;
+    for (const Box& box : scene.water_boxes)
+        width = std::max({width, std::abs(box.low.x() - scene.initial.released_face),
+                          std::abs(box.high.x() - scene.initial.released_face)});
+    if (width < surface)
+        found.push_back(
+            fmt::format("the column of water is {:.4g} m wide and {:.4g} m high: the pressure after "
+                        "Greco is that of a long column",
+                        width, surface));
+}
+
+void doubt_mass(const BodySpec& spec, double water_density, Doubts& found) {
+    const RigidBody& body = spec.body;
+    if (!can_move(body)) return;
+    if (body.mass > 0) {
+        const double ratio = body.mass / (area_moments(spec.outline).area * water_density);
+        if (ratio > 30 || ratio < 1.0 / 60)
+            found.push_back(
+                fmt::format("{} has {:.2g} times the mass of the water it would displace: is it "
+                            "per metre of width?",
+                            spec.name, ratio));
+    }
+    if (!body.free[2] || !(spec.even_inertia > 0)) return;
+    const double ratio = body.inertia / spec.even_inertia;
+    if (ratio > 10 || ratio < 0.1)
+        found.push_back(
+            fmt::format("{}.inertia is {:.4g} kg m, {:.2g} times that of even density, {:.4g} kg m: "
+                        "is it about the mass centre and per metre of width?",
+                        spec.name, body.inertia, ratio, spec.even_inertia));
+}
+
+void doubt_times(const Scene& scene, Doubts& found) {
+    constexpr double fewest = 50;
+    const double samples = scene.end_time / scene.sample_interval;
+    if (samples < fewest)
+        found.push_back(
+            fmt::format("run.sample_interval is {:.4g} s: the run to {:.4g} s has {:.0f} samples, "
+                        "fewer than {:.0f}",
+                        scene.sample_interval, scene.end_time, std::floor(samples) + 1, fewest));
+    for (const double time : scene.picture_times) {
+        if (time <= (1 + 1e-9) * scene.end_time) continue;
+        found.push_back(
+            fmt::format("run.frames asks for {:.4g} s, after the end at {:.4g} s: it is not written", time,
+                        scene.end_time));
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> doubtful(const Scene& scene) {
+    Doubts found;
+    doubt_fluids(scene, found);
+    doubt_gravity(scene, found);
+    doubt_initial(scene, found);
+    for (const BodySpec& spec : scene.bodies)
+        doubt_mass(spec, scene.model.water.eos.reference_density, found);
+    for (std::string& text : motions_out_of_tank(scene)) found.push_back(std::move(text));
+    doubt_times(scene, found);
     for (const Probe& probe : scene.probes)
         found.insert(found.end(), probe.doubts.begin(), probe.doubts.end());
-    for (const BodySpec& body : scene.bodies) {
+    for (std::string& text : unused_values(scene)) found.push_back(std::move(text));
+    return found;
+}
+
+std::vector<std::string> remarks(const Scene& scene) {
+    std::vector<std::string> all;
+    for (const BodySpec& spec : scene.bodies) {
         const auto wet = [&](const Vec2& corner) {
             return std::any_of(scene.water_boxes.begin(), scene.water_boxes.end(), [&](const Box& box) {
                 return (corner - box.low).minCoeff() > 0 && (box.high - corner).minCoeff() > 0;
             });
         };
-        if (std::any_of(body.outline.begin(), body.outline.end(), wet))
-            found.push_back(fmt::format("{} starts in the water", body.name));
-        const double ratio = body.body.mass / (area_moments(body.outline).area * eos.reference_density);
-        if (ratio > 30 || ratio < 1.0 / 60)
-            found.push_back(
-                fmt::format("{} has {:.2g} times the mass of the water it would displace: is it "
-                            "per metre of width?",
-                            body.name, ratio));
+        if (std::any_of(spec.outline.begin(), spec.outline.end(), wet))
+            all.push_back(fmt::format("{} starts in the water", spec.name));
     }
-    return found;
+    return all;
 }
 
 std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing) {
@@ -78,9 +163,14 @@ std::optional<std::string> doubtful_step(const Scene& scene, double particle_spa
     if (step_of(scene.model, stable).criterion != LimitingCriterion::fixed_beyond) return std::nullopt;
     return fmt::format(
         "model.fixed_step is {:.3g} s, {:.3g} times the stable step of {:.3g} s at the spacing {:.4g} m: the "
-        "run may "
-        "become unstable or be wrong without a sign",
+        "run may become unstable or be wrong without a sign",
         scene.model.fixed_step, scene.model.fixed_step / stable.size, stable.size, particle_spacing);
+}
+
+std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing) {
+    std::vector<std::string> doubts = doubtful(scene);
+    if (auto step = doubtful_step(scene, particle_spacing)) doubts.push_back(std::move(*step));
+    return doubts;
 }
 
 }  // namespace wetdeck

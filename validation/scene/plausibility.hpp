@@ -10,13 +10,29 @@
 
 namespace wetdeck {
 
-/// One line for each of these: the water's sound speed is below ten times the fastest speed to expect (then
-/// it is compressed by more than 1 %), a body starts in the water, a body is more than 30 times heavier or
-/// 60 times lighter than the water it would displace.
+/// One line for each of these:
+/// - the water's sound speed is below ten times the fastest speed to expect (expected_motion.hpp): it is
+///   compressed by more than 1 %;
+/// - gravity points up or sideways or is larger than 20 m/s^2; water that is lighter than air;
+/// - initial.surface is not the top of any water; a column for the pressure of Greco that is higher than
+/// wide;
+/// - a body that can move is more than 30 times heavier or 60 times lighter than the water it would displace,
+///   or its inertia is beyond ten times or below a tenth of that of even density;
+/// - a motion that is given leads a body out of the tank;
+/// - fewer than fifty samples, or frames after the end;
+/// - the doubts of its probes;
+/// - a background pressure above half of the air's own stiffness;
+/// - values that nothing uses (unused_values.hpp).
 std::vector<std::string> doubtful(const Scene& scene);
 
 /// A sentence where the scene's fixed time step exceeds the criteria of Eq. (26) at this spacing [m], even
 /// for fluid at rest.
 std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing);
+
+/// All doubts about one run: of the scene, and of its step at this spacing [m].
+std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing);
+
+/// What is in order, but good to know: a body starts in the water.
+std::vector<std::string> remarks(const Scene& scene);
 
 }  // namespace wetdeck

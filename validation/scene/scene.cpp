@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "solver/core/errors.hpp"
+#include "solver/setup/initial_pressure.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/schemes.hpp"
@@ -56,12 +57,54 @@ std::vector<Box> read_boxes(const TomlTable& table, const Box& tank, const std::
     return boxes;
 }
 
+/// The pressure after Greco is that of one column: throws where the water is another.
+void check_column(const TomlTable& initial, const Scene& scene) {
+    constexpr double tolerance = 1e-9;
+    const double face = scene.initial.released_face;
+    double left = face, right = face;
+    const auto wet = [&](double x, double y) {
+        return std::any_of(scene.water_boxes.begin(), scene.water_boxes.end(), [&](const Box& box) {
+            return box.low.x() <= x && x <= box.high.x() && box.low.y() <= y && y <= box.high.y();
+        });
+    };
+    for (const Box& box : scene.water_boxes) {
+        const double below = box.low.y() - tolerance;
+        const bool stands =
+            below <= 0 || (wet(box.low.x() + tolerance, below) && wet(box.high.x() - tolerance, below));
+        left = std::min(left, box.low.x());
+        right = std::max(right, box.high.x());
+        const double top = water_top(scene.water_boxes, box.low + Vec2::Constant(tolerance));
+        if (!stands || std::abs(top - scene.initial.surface) > tolerance)
+            initial.fail("pressure",
+                         fmt::format("'greco' is that of one column from the floor to the surface at {} m; a "
+                                     "box of water reaches from y = {} to {} m",
+                                     scene.initial.surface, box.low.y(), top));
+    }
+    const auto ends_at_face = [&](const Box& box) {
+        return std::min(std::abs(box.low.x() - face), std::abs(box.high.x() - face)) < tolerance;
+    };
+    const bool both_sides = face - left > tolerance && right - face > tolerance;
+    if (both_sides || std::none_of(scene.water_boxes.begin(), scene.water_boxes.end(), ends_at_face))
+        initial.fail("released_face",
+                     fmt::format("is x = {} m, expected an end of the column of water, whose "
+                                 "boxes reach from x = {} to {} m",
+                                 face, left, right));
+}
+
+double highest_top(const std::vector<Box>& boxes) {
+    double top = 0;
+    for (const Box& box : boxes) top = std::max(top, box.high.y());
+    return top;
+}
+
 void read_initial(const TomlTable& root, Scene& scene) {
     const TomlTable table = root.table("initial");
-    scene.initial.surface = table.number("surface");
+    const std::optional<double> surface = table.optional_number("surface");
+    scene.initial.surface = surface ? *surface : highest_top(scene.water_boxes);
     if (table.choice("pressure", {"hydrostatic", "greco"}) == "greco") {
         scene.initial.law = InitialPressure::Law::greco;
         scene.initial.released_face = table.number("released_face");
+        check_column(table, scene);
     } else {
         table.has("released_face");
     }

@@ -24,6 +24,7 @@ struct BodySpec {
     Outline outline;             ///< corners in the scene at the start [m]
     Vec2 origin = Vec2::Zero();  ///< of the frame in which the file gives the outline [m]
     RigidBody body;
+    double even_inertia = 0;  ///< about the mass centre, with the mass spread evenly over the outline [kg m]
 
     /// A point of the outline's frame in the frame of the mass centre [m].
     Vec2 in_body_frame(Vec2 point) const { return point + origin - body.position; }
@@ -36,7 +37,7 @@ struct BodySpec {
 struct InitialPressure {
     enum class Law { hydrostatic, greco };
     Law law = Law::hydrostatic;
-    double surface = 0;        ///< height of the water's surface [m]
+    double surface = 0;        ///< height of the water's highest surface, as the file says [m]
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
@@ -57,6 +58,7 @@ struct Scene {
     Model model;
     Execution execution;
     bool air = true;
+    std::string air_law;        ///< of the air's sound speed, or empty
     std::string source_scheme;  ///< the scheme of the scene's source, or empty
     Box tank;
     std::vector<Box> water_boxes, air_boxes;

@@ -125,6 +125,11 @@ void remove_checkpoints_after(const std::filesystem::path& run_dir, std::uint64_
     }
 }
 
+void keep_newest_checkpoint(const std::filesystem::path& run_dir) {
+    const std::vector<std::filesystem::path> files = list_checkpoints(run_dir);
+    for (std::size_t k = 1; k < files.size(); ++k) remove_file(files[k]);
+}
+
 void remove_checkpoints(const std::filesystem::path& run_dir) {
     for (const std::filesystem::path& file : list_checkpoints(run_dir)) remove_file(file);
 }

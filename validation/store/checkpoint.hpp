@@ -47,6 +47,8 @@ std::optional<Checkpoint> newest_checkpoint(const std::filesystem::path& run_dir
 
 /// Removes the checkpoints after `step`: a run that continues from there would take them for its own.
 void remove_checkpoints_after(const std::filesystem::path& run_dir, std::uint64_t step);
+/// Removes all but the newest.
+void keep_newest_checkpoint(const std::filesystem::path& run_dir);
 void remove_checkpoints(const std::filesystem::path& run_dir);
 
 }  // namespace wetdeck

@@ -113,7 +113,7 @@ void RunDirectory::claim(const std::string& identity, OnConflict on_conflict) co
     const bool another = found && *found != identity;
     if (on_conflict == OnConflict::replace) {
         remove_run_files(path_);
-    } else if (finished || another) {
+    } else if (on_conflict == OnConflict::refuse && (finished || another)) {
         throw InputError(
             fmt::format("{}: holds {} run ({}); choose another directory, remove this one or replace the run "
                         "with --replace",

@@ -25,6 +25,7 @@ bool holds_finished_run(const std::filesystem::path& directory);
 
 enum class OnConflict {
     refuse,   ///< leave another or a finished run alone
+    extend,   ///< take over whatever run is there, with its files
     replace,  ///< remove what is known to be a run's: results, fields, live series, checkpoint_*, identity
 };
 

@@ -62,7 +62,9 @@ inline std::string provenance_entry(const RunRecord& record, const std::string& 
 
 /// Whether the run was asked to stop before its scene's end: what it did not get to is no failure of it.
 inline bool stopped_early(const RunRecord& record) {
-    return record.parameters.count("run.until") > 0;
+    const auto until = record.parameters.find("run.until"), end = record.parameters.find("run.end_time");
+    return until != record.parameters.end() &&
+           (end == record.parameters.end() || until->second < end->second);
 }
 
 }  // namespace wetdeck

@@ -139,3 +139,22 @@ TEST_CASE("A comparison without a reference file is neither a success nor a fail
     CHECK(contains(page, "no such file"));
     CHECK(contains(page, "<b>4 of 4</b><span>reference curves within tolerance"));
 }
+
+TEST_CASE("A run with compressed water or particles outside the tank is doubtful, whatever its values",
+          "[report]") {
+    Summary summary = samples::summary();
+    summary.runs[0].record.series["density_error_max"] = {"-", "", {0, 1}, {0.01, 0.189}, {}};
+    summary.runs[1].record.series["particles_outside"] = {"-", "", {0, 1}, {0, 2}, {}};
+    const std::string failures = failures_of(page_of(summary));
+    CHECK(contains(failures, "Runs with a doubtful flow"));
+    CHECK(contains(failures, "off by up to 19 %, more than 5 %"));
+    CHECK(contains(failures, "2 fluid particles are beyond the tank&#39;s faces"));
+    CHECK(contains(failures, "the flow of the runs above is doubtful all the same"));
+}
+
+TEST_CASE("Water that is compressed by a few per cent is in order", "[report]") {
+    Summary summary = samples::summary();
+    summary.runs[0].record.series["density_error_max"] = {"-", "", {0, 1}, {0.01, 0.049}, {}};
+    summary.runs[0].record.series["particles_outside"] = {"-", "", {0, 1}, {0, 0}, {}};
+    CHECK_FALSE(contains(page_of(summary), "Runs with a doubtful flow"));
+}

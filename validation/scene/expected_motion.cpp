@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/scene/expected_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wetdeck {
+namespace {
+
+constexpr double tolerance = 1e-9;  // of lengths [m]
+
+/// Middles of the intervals between all ends of the boxes of water.
+std::vector<double> columns(const Scene& scene) {
+    std::vector<double> ends = {scene.tank.low.x(), scene.tank.high.x()};
+    for (const Box& box : scene.water_boxes) ends.insert(ends.end(), {box.low.x(), box.high.x()});
+    std::sort(ends.begin(), ends.end());
+    std::vector<double> middles;
+    for (std::size_t k = 1; k < ends.size(); ++k)
+        if (ends[k] - ends[k - 1] > tolerance) middles.push_back(0.5 * (ends[k] + ends[k - 1]));
+    return middles;
+}
+
+bool in_column(const Box& box, double x) {
+    return box.low.x() <= x && x <= box.high.x();
+}
+
+/// Top of the water at or below a height in a column, or the floor.
+double support_below(const Scene& scene, double x, double height) {
+    double top = scene.tank.low.y();
+    for (const Box& box : scene.water_boxes)
+        if (in_column(box, x) && box.high.y() <= height + tolerance) top = std::max(top, box.high.y());
+    return top;
+}
+
+double highest_step(const Scene& scene) {
+    double low = scene.tank.high.y(), high = scene.tank.low.y();
+    for (const double x : columns(scene)) {
+        const double level = support_below(scene, x, scene.tank.high.y());
+        low = std::min(low, level);
+        high = std::max(high, level);
+    }
+    return std::max(0.0, high - low);
+}
+
+/// How far water falls to what is below it.
+double deepest_fall(const Scene& scene) {
+    double deepest = 0;
+    for (const Box& box : scene.water_boxes)
+        for (const double x : columns(scene))
+            if (in_column(box, x))
+                deepest = std::max(deepest, box.low.y() - support_below(scene, x, box.low.y()));
+    return deepest;
+}
+
+struct Extent {
+    Vec2 low, high;
+};
+
+Extent extent_of(const Outline& outline) {
+    Extent e{outline.front(), outline.front()};
+    for (const Vec2& corner : outline) {
+        e.low = e.low.cwiseMin(corner);
+        e.high = e.high.cwiseMax(corner);
+    }
+    return e;
+}
+
+double speed_of_body(const Scene& scene, const BodySpec& spec) {
+    const Extent extent = extent_of(spec.outline);
+    double level = scene.tank.low.y(), radius = 0;
+    for (const Box& box : scene.water_boxes)
+        if (box.low.x() < extent.high.x() && extent.low.x() < box.high.x())
+            level = std::max(level, box.high.y());
+    for (const Vec2& corner : spec.outline) radius = std::max(radius, (corner - spec.body.position).norm());
+    const RigidBody& body = spec.body;
+    double falling = 0;
+    if (body.free[1] && body.mass > 0) {
+        const double down = -scene.model.gravity.y() - body.applied_force.y() / body.mass;
+        falling = 2 * std::max(0.0, down) * std::max(0.0, extent.low.y() - level);
+    }
+    return std::sqrt(body.velocity.squaredNorm() + falling) + radius * std::abs(body.angular_velocity);
+}
+
+/// The outline after a time at the velocities that are given; degrees of freedom that are free stay.
+Outline moved(const BodySpec& spec, double time) {
+    RigidBody body = spec.body;
+    for (int k = 0; k < 2; ++k)
+        if (!body.free[static_cast<std::size_t>(k)]) body.position[k] += time * body.velocity[k];
+    if (!body.free[2]) body.angle += time * body.angular_velocity;
+    Outline outline;
+    for (const Vec2& corner : spec.outline) outline.push_back(body.placed(spec.body.local(corner)));
+    return outline;
+}
+
+/// Whether some part of the motion is given and not zero.
+bool driven(const RigidBody& body) {
+    return (!body.free[0] && body.velocity.x() != 0) || (!body.free[1] && body.velocity.y() != 0) ||
+           (!body.free[2] && body.angular_velocity != 0);
+}
+
+/// A motion that is given in part counts for the faces across that part alone.
+Box faces_reached(const RigidBody& body, Box tank) {
+    const double far = 1e6 * (tank.high - tank.low).norm();
+    for (int k = 0; k < 2; ++k) {
+        if (!body.free[static_cast<std::size_t>(k)]) continue;
+        tank.low[k] -= far;
+        tank.high[k] += far;
+    }
+    return tank;
+}
+
+}  // namespace
+
+ExpectedSpeed fastest_expected_speed(const Scene& scene) {
+    const double g = scene.model.gravity.norm();
+    ExpectedSpeed fastest{std::sqrt(g * highest_step(scene)), "of the water that collapses"};
+    const auto consider = [&fastest](double speed, const std::string& of) {
+        if (speed > fastest.speed) fastest = {speed, of};
+    };
+    consider(std::sqrt(2 * g * deepest_fall(scene)), "of the water that falls");
+    for (const BodySpec& spec : scene.bodies)
+        consider(speed_of_body(scene, spec), fmt::format("of {}", spec.name));
+    return fastest;
+}
+
+std::vector<std::string> motions_out_of_tank(const Scene& scene) {
+    constexpr int instants = 200;
+    std::vector<std::string> found;
+    for (const BodySpec& spec : scene.bodies) {
+        if (!driven(spec.body)) continue;
+        const Box faces = faces_reached(spec.body, scene.tank);
+        for (int k = 1; k <= instants; ++k) {
+            const double time = k * scene.end_time / instants;
+            if (inside(moved(spec, time), faces)) continue;
+            found.push_back(
+                fmt::format("the motion given for {} leads it out of the tank at about {:.3g} s, "
+                            "before the end at {:.3g} s",
+                            spec.name, time, scene.end_time));
+            break;
+        }
+    }
+    return found;
+}
+
+}  // namespace wetdeck

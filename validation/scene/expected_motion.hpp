@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What can be said about the motion of a scene before it is run.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "validation/scene/scene.hpp"
+
+namespace wetdeck {
+
+/// A speed and what reaches it.
+struct ExpectedSpeed {
+    double speed = 0;  ///< [m/s]
+    std::string of;    ///< "of body when it meets the water", ...
+};
+
+/// The fastest of these speeds:
+///     sqrt(g H)    of water that collapses, with H the largest step of its level,
+///     sqrt(2 g d)  of water that falls by d to the floor or to other water,
+///     sqrt(v^2 + 2 a d)  of a body that falls by d to the water or the floor, a the part of g that its
+///                  applied force leaves; v alone where its motion is given,
+/// each besides the speed of the body's fastest corner by its rotation.
+ExpectedSpeed fastest_expected_speed(const Scene& scene);
+
+/// A sentence for each body whose given motion leads it out of the tank before the end.
+std::vector<std::string> motions_out_of_tank(const Scene& scene);
+
+}  // namespace wetdeck
