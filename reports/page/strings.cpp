@@ -11,11 +11,11 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
 }
 
 std::string csv_field(std::string text) {
+    replace_all(text, ",", ";");
+    replace_all(text, "\"", "'");
     std::replace_if(
         text.begin(), text.end(), [](unsigned char c) { return c < 0x20; }, ' ');
-    if (text.find_first_of(",\"#") == std::string::npos) return text;
-    replace_all(text, "\"", "\"\"");
-    return "\"" + text + "\"";
+    return text.find('#') == std::string::npos ? text : "\"" + text + "\"";
 }
 
 }  // namespace wetdeck::report

@@ -35,6 +35,16 @@ class StandIn {
     StandIn(const StandIn&) = delete;
     StandIn& operator=(const StandIn&) = delete;
 
+    /// What sbatch prints on stderr before it submits, and what it prints on stdout instead of the number.
+    void let_sbatch_say(const std::string& error, const std::string& instead = "") const {
+        const std::string at = std::filesystem::path(folder_).string();
+        put_script(folder_ / "sbatch",
+                   "echo '" + error + "' >&2\necho \"$*\" >>" + at + "/calls\n" +
+                       (instead.empty() ? "wc -l <" + at + "/calls" : "echo '" + instead + "'") + "\n");
+    }
+    void refuse_jobs(const std::string& error) const {
+        put_script(folder_ / "sbatch", "echo '" + error + "' >&2\nexit 1\n");
+    }
     void put_queue(const std::string& jobs) const { samples::put_bytes(folder_ / "queue", jobs); }
     std::string calls() const { return samples::bytes_of(folder_ / "calls"); }
 
@@ -75,4 +85,45 @@ TEST_CASE("a suite is submitted as an array whose tasks run its rows, and a job 
     REQUIRE(run_program({"report", out}).code == 0);
     CHECK(nlohmann::json::parse(samples::bytes_of(out + "/summary.json")).at("runs").size() == 2);
     CHECK_THAT(run_program(suite).out, Contains("0 of 2 runs submitted in 0 tasks, the report as job 3"));
+}
+
+TEST_CASE("a site's message on stderr of sbatch and squeue is no number of a job", "[faults]") {
+    const StandIn slurm;
+    const ScratchFolder folder;
+    const std::string out = folder / "out";
+    const std::vector<std::string> suite = {"suite",      "--only", put_scene(folder), "--out", out,
+                                            "--executor", "slurm"};
+    slurm.let_sbatch_say("site: your project has 12 hours left");
+    const Outcome submitted = run_program(suite);
+    INFO(submitted.err);
+    REQUIRE(submitted.code == 0);
+    CHECK(samples::bytes_of(out + "/slurm/jobs") == "1,2\n");
+    CHECK(samples::bytes_of(out + "/slurm/sbatch.log") == "site: your project has 12 hours left\n");
+    CHECK_FALSE(std::filesystem::exists(out + "/slurm/submitting"));
+}
+
+TEST_CASE("a submission whose outcome is unknown keeps the next one from submitting twice", "[faults]") {
+    const StandIn slurm;
+    const ScratchFolder folder;
+    const std::string out = folder / "out";
+    const std::vector<std::string> suite = {"suite",      "--only", put_scene(folder), "--out", out,
+                                            "--executor", "slurm"};
+    slurm.refuse_jobs("sbatch: error: invalid partition");
+    const Outcome refused = run_program(suite);
+    CHECK(refused.code == 4);
+    CHECK(refused.one_line());
+    CHECK_THAT(refused.err, Contains("Slurm does not accept the job: sbatch: error: invalid partition"));
+
+    slurm.let_sbatch_say("", "submitted, have a nice day");  // a refused job is no obstacle
+    const Outcome unknown = run_program(suite);
+    CHECK(unknown.code == 4);
+    CHECK_THAT(unknown.err, Contains("in place of the number of a job, which may run all the same"));
+
+    slurm.let_sbatch_say("");
+    const Outcome again = run_program(suite);
+    CHECK(again.code == 4);
+    CHECK(again.one_line());
+    CHECK_THAT(again.err, Contains("slurm/submitting: a submission has not come to its end"));
+    std::filesystem::remove(out + "/slurm/submitting");
+    CHECK(run_program(suite).code == 0);
 }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
 
 #include "solver/core/errors.hpp"
@@ -19,13 +21,54 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
+/// A file that stands while a suite is submitted. It stays where a job may have been submitted whose number
+/// is not written down: nobody can then know whether jobs work in these folders.
+class SubmissionMark {
+  public:
+    /// Throws EnvironmentError where another submission has left its own.
+    explicit SubmissionMark(fs::path file) : file_(std::move(file)) {
+        std::FILE* made = std::fopen(file_.c_str(), "wx");
+        if (!made)
+            throw EnvironmentError(
+                fmt::format("{}: {}; where no other submission of this suite is under way, cancel its jobs "
+                            "(squeue -n wetdeck) and remove the file",
+                            file_.string(),
+                            errno == EEXIST ? "a submission has not come to its end" : system_reason(errno)));
+        std::fclose(made);
+    }
+    ~SubmissionMark() {
+        std::error_code ignored;
+        if (!in_doubt_) fs::remove(file_, ignored);
+    }
+    SubmissionMark(const SubmissionMark&) = delete;
+    SubmissionMark& operator=(const SubmissionMark&) = delete;
+    void set_in_doubt(bool value) { in_doubt_ = value; }
+
+  private:
+    fs::path file_;
+    bool in_doubt_ = false;
+};
+
+/// What sbatch says beside the number is kept in sbatch.log: sites print messages there.
 /// @return the number of the job
-std::string submit(const std::string& arguments) {
-    const ShellResult result = run_in_shell("sbatch --parsable " + arguments);
+std::string submit(const std::string& arguments, const fs::path& folder, SubmissionMark& mark) {
+    const fs::path log = folder / "sbatch.log";
+    mark.set_in_doubt(true);
+    const ShellResult result =
+        run_in_shell("sbatch --parsable " + arguments + " 2>" + shell_quoted(log.string()));
+    if (!result.succeeded()) {
+        mark.set_in_doubt(false);
+        std::string reason;
+        std::ifstream said(log);
+        std::getline(said >> std::ws, reason);
+        throw EnvironmentError("Slurm does not accept the job: " +
+                               (reason.empty() ? first_line(result.output) : reason));
+    }
     const std::string job = result.output.substr(0, result.output.find(';'));
-    const bool number = !job.empty() && job.find_first_not_of("0123456789") == std::string::npos;
-    if (!result.succeeded() || !number)
-        throw EnvironmentError("Slurm does not accept the job: " + first_line(result.output));
+    if (job.empty() || job.find_first_not_of("0123456789") != std::string::npos)
+        throw EnvironmentError(fmt::format(
+            "sbatch printed '{}' in place of the number of a job, which may run all the same; see {}",
+            first_line(result.output), log.string()));
     return job;
 }
 
@@ -34,7 +77,7 @@ std::string jobs_left(const fs::path& file) {
     std::ifstream in(file);
     std::string jobs;
     if (!std::getline(in, jobs) || jobs.find_first_not_of("0123456789,") != std::string::npos) return "";
-    const ShellResult result = run_in_shell("squeue -h -o %i -j " + jobs);
+    const ShellResult result = run_in_shell("squeue -h -o %i -j " + jobs + " 2>/dev/null");
     return result.succeeded() ? result.output : "";  // for jobs that ended long ago squeue reports an error
 }
 
@@ -108,13 +151,14 @@ void submit_suite(const PlanOptions& plan, const SlurmOptions& options) {
     if (!program_found("sbatch"))
         throw EnvironmentError(
             "--executor slurm: there is no sbatch on this machine; without the option the suite runs here");
+    make_directories(folder);
+    SubmissionMark mark(folder / "submitting");
     if (const std::string jobs = jobs_left(folder / "jobs"); !jobs.empty())
         throw EnvironmentError(fmt::format("{}: jobs of this suite are still queued or running: {}",
                                            folder.string(), first_line(jobs)));
     const std::vector<SuiteRow> rows = suite_rows(plan);
     const RowsLeft left = rows_left(rows, options.row.fresh);
     const auto tasks = grouped(left.costs);
-    make_directories(folder);
     atomic_write(folder / "task.sh", task_script(tasks, left.numbers, suite_command(plan, options.row)));
 
     const std::string partition =
@@ -127,14 +171,19 @@ void submit_suite(const PlanOptions& plan, const SlurmOptions& options) {
         const std::string limit = options.concurrent > 0 ? fmt::format("%{}", options.concurrent) : "";
         jobs = submit(fmt::format("-J wetdeck --array=0-{}{} -c {} {}{}{}", tasks.size() - 1, limit,
                                   std::max(1, options.row.threads), partition, output("task_%a.log"),
-                                  shell_quoted((folder / "task.sh").string())));
+                                  shell_quoted((folder / "task.sh").string())),
+                      folder, mark);
+        atomic_write(folder / "jobs", jobs + "\n");
+        mark.set_in_doubt(false);
         dependency = "--dependency=afterany:" + jobs + " ";
     }
     const std::string report =
         fmt::format("{} report {}", this_program(), shell_quoted(fs::absolute(plan.directory).string()));
     const std::string report_job = submit("-J wetdeck-report " + dependency + partition +
-                                          output("report.log") + "--wrap " + shell_quoted(report));
+                                              output("report.log") + "--wrap " + shell_quoted(report),
+                                          folder, mark);
     atomic_write(folder / "jobs", (jobs.empty() ? "" : jobs + ",") + report_job + "\n");
+    mark.set_in_doubt(false);
     fmt::print("{} of {} runs submitted in {} tasks{}, the report as job {}\n", left.numbers.size(),
                rows.size(), tasks.size(), jobs.empty() ? "" : " of job " + jobs, report_job);
 }

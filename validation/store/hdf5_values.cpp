@@ -2,6 +2,8 @@
 // Attributes, arrays and growing tables.
 #include "validation/store/hdf5_values.hpp"
 
+#include <hdf5_hl.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -110,6 +112,12 @@ void write_attribute(const Node& node, const std::string& name, const std::strin
     const Handle type = text_type(attribute_place(node, name));
     const char* text = value.c_str();
     write_scalar(node, name, type.id(), type.id(), &text);
+}
+
+void attach_scale(const Node& dataset, unsigned dimension, const Node& scale, const std::string& name) {
+    const char* message = "cannot mark the coordinates of a dimension";
+    if (H5DSis_scale(scale.id()) <= 0) check(H5DSset_scale(scale.id(), name.c_str()), scale.place(), message);
+    check(H5DSattach_scale(dataset.id(), scale.id(), dimension), dataset.place(), message);
 }
 
 double read_double(const Node& node, const std::string& name) {

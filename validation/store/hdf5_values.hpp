@@ -32,6 +32,9 @@ enum class Packing {
 Node write_array(const Node& parent, const std::string& name, std::span<const double> values,
                  std::size_t columns = 0, Packing packing = Packing::deflated);
 
+/// Makes `scale` the coordinates of one dimension of `dataset`, as readers of netCDF look for them.
+void attach_scale(const Node& dataset, unsigned dimension, const Node& scale, const std::string& name);
+
 struct Array {
     std::vector<hsize_t> shape;  ///< one or two extents
     std::vector<double> values;  ///< row-major

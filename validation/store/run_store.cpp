@@ -67,9 +67,13 @@ void write_series(const Node& parent, const std::string& name, const Series& ser
     }
     write_attribute(group, "unit", series.unit);
     write_attribute(group, "description", series.description);
-    write_attribute(write_array(group, "time", series.time), "unit", std::string("s"));
-    write_attribute(write_array(group, "value", series.value, series.abscissa.size()), "unit", series.unit);
-    if (!series.abscissa.empty()) write_array(group, "abscissa", series.abscissa);
+    const Node time = write_array(group, "time", series.time);
+    const Node value = write_array(group, "value", series.value, series.abscissa.size());
+    write_attribute(time, "unit", std::string("s"));
+    write_attribute(value, "unit", series.unit);
+    attach_scale(value, 0, time, "time");
+    if (!series.abscissa.empty())
+        attach_scale(value, 1, write_array(group, "abscissa", series.abscissa), "abscissa");
 }
 
 void write_cost(const Node& file, const RunCost& cost) {

@@ -165,6 +165,8 @@ TEST_CASE("Faulty rows are refused", "[reference]") {
         {"0,1\n0,2\n", "18: T is 0 after 0, expected a strictly increasing abscissa"},
         {"1,1\n0.5,2\n", "18: T is 0.5 after 1, expected a strictly increasing abscissa"},
         {"0,nan\n", "17: p is 'nan', expected a finite number"},
+        {"0,-1e+300\n",
+         "17: p is '-1e+300', which stands for no value in some programs; leave the cell empty"},
         {"0,1\n\ninf,1\n", "19: T is 'inf', expected a finite number"},
         {"0,one\n", "17: p is 'one', expected a number"},
         {"0,1.5x\n", "17: p is '1.5x', expected a number"},

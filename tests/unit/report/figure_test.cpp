@@ -52,7 +52,7 @@ TEST_CASE("The CSV of a figure holds every sample, with units in its header", "[
           "dx = 0.01 m,0,10,,\n"
           "dx = 0.01 m,1,20.5,,\n"
           "dx = 0.01 m,2,1e-07,,\n"
-          "\"gauge, \"\"raw\"\"\",0.5,12,11,13\n");
+          "gauge; 'raw',0.5,12,11,13\n");
 }
 
 TEST_CASE("A label with brackets of its own keeps them", "[report]") {

@@ -2,6 +2,8 @@
 // run.h5: exact round trip, and nothing but a whole file is accepted.
 #include "validation/store/run_store.hpp"
 
+#include <hdf5_hl.h>
+
 #include <catch2/catch.hpp>
 #include <functional>
 
@@ -54,6 +56,18 @@ TEST_CASE("a scene text of a megabyte and a thousand parameters fit", "[store]")
     while (record.scene_text.size() < 1'000'000) record.scene_text += "# überlanger Kommentar\n";
     for (int i = 0; i < 1000; ++i) record.parameters["group.key_" + std::to_string(i)] = i / 3.0;
     REQUIRE(samples::same(round_trip(record), record));
+}
+
+TEST_CASE("readers of netCDF find the coordinates of each series", "[store]") {
+    const ScratchFolder folder;
+    write_run(folder, samples::record(10));
+    const hdf5::Node file = hdf5::open_file(run_file(folder), hdf5::Access::read);
+    const hid_t value = H5Dopen2(file.id(), "/series/front/value", H5P_DEFAULT);
+    const hid_t time = H5Dopen2(file.id(), "/series/front/time", H5P_DEFAULT);
+    REQUIRE(value >= 0);
+    CHECK(H5DSis_attached(value, time, 0) > 0);
+    H5Dclose(time);
+    H5Dclose(value);
 }
 
 TEST_CASE("keys that are taken in the file survive", "[store]") {
