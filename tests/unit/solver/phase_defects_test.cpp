@@ -85,7 +85,7 @@ TEST_CASE("Fluid inside a body is counted in the body's frame, whatever its pose
     body.position = {0.5, 0.5};
     body.angle = angle;
     body.free = {false, false, false};
-    for (const Vec2 place : {Vec2(0.09, 0.04), Vec2(-0.09, 0.0), Vec2(0.0, -0.04), Vec2(0.0, 0.06)}) {
+    for (const Vec2& place : {Vec2(0.09, 0.04), Vec2(-0.09, 0.0), Vec2(0.0, -0.04), Vec2(0.0, 0.06)}) {
         const Vec2 at = body.placed(place) - Vec2(0.5 * dx, 0.5 * dx);
         setup.fill(Phase::water, {at, at + Vec2(dx, dx)});
     }
