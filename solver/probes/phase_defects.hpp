@@ -21,8 +21,10 @@ double void_area(const Simulation& simulation, std::span<const Outline> outlines
 /// phase: drops and bubbles of single particles, and films one particle thick. At a plane interface it is a
 /// half.
 struct MixedParticles {
-    std::size_t water_in_air = 0, air_in_water = 0;
+    std::size_t water_in_air = 0;  ///< water particles
+    std::size_t air_in_water = 0;  ///< air particles
 };
+/// Of all fluid, from the neighbour list.
 MixedParticles mixed_particles(const Simulation& simulation);
 
 /// Volume of the air [m^2 a metre of span] that is cut off from the largest body of air: cavities and

@@ -43,8 +43,7 @@ using Known = std::map<std::string, std::uint64_t>;  ///< by instruction set
 const std::map<const char*, Known> known{
     {"dam_break",
      {{"sse2", 0xd601aad3545c7a4d}, {"avx2", 0x140c19031ae7ee94}, {"avx512", 0xbc9006b43af0e557}}},
-    {"catamaran",
-     {{"sse2", 0x3db3e063a0ba3f9d}, {"avx2", 0xc1776f335487991d}, {"avx512", 0x645a082d0fe9f0f3}}},
+    {"wedge", {{"sse2", 0x0}, {"avx2", 0x0}, {"avx512", 0x0}}},
 };
 
 }  // namespace

@@ -21,7 +21,7 @@
 namespace wetdeck {
 namespace {
 
-constexpr double largest_value = 1e29;  // OpenFOAM writes -1e+300 where a probe lies in no cell
+constexpr double largest_value = 1e299;  // OpenFOAM writes -1e+300 where a probe lies in no cell
 constexpr std::uintmax_t largest_file = 20'000'000;
 constexpr std::array origins{"tabulated", "digitised", "computed", "stated"};
 constexpr std::array required_keys{

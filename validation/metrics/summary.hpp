@@ -207,12 +207,12 @@ inline bool counts(const RunSummary& run) {
 struct StatementResult {
     std::string scene, says;
     std::string variant, against;  ///< against: variant, quantity, or the value that the source states
-    std::string measure = {};           ///< in words
+    std::string measure = {};      ///< in words
     double dx = 0;                 ///< of the runs [m]
     std::optional<double> value = {};
-    std::string unit = {};
+    std::string unit = "-";
     double low = 0, high = 0;  ///< the statement holds between them
-    std::string note = {};          ///< why there is no value
+    std::string note = {};     ///< why there is no value
 
     std::optional<bool> holds() const {
         return value ? std::optional(low <= *value && *value <= high) : std::nullopt;

@@ -10,6 +10,7 @@
 #include "validation/run/assemble.hpp"
 #include "validation/run/penetration_monitor.hpp"
 #include "validation/scene/schemes.hpp"
+#include "validation/store/whole_file.hpp"
 
 namespace wetdeck::stress {
 namespace {
@@ -73,11 +74,21 @@ std::string variant_for(const SceneCase& scene, const Scheme& scheme) {
     return scene.variant;
 }
 
+/// The set-up alone. Probes, quantities and all else that stands behind it in the file as an array of tables
+/// belong to the tank of the scene, which a case may change.
+Scene set_up_of(const SceneCase& scene, const std::string& variant) {
+    const std::filesystem::path path = find_scene(scene.scene);
+    const std::string text = read_whole_file(path);
+    std::vector<std::string> overrides = scene.overrides;
+    overrides.emplace_back("error_quantity=\"\"");
+    return parse_scene(text.substr(0, text.find("\n[[")) + "\n", path.string(), variant, overrides);
+}
+
 }  // namespace
 
 Trial trial_of(const SceneCase& scene, const Scheme& scheme, const Change& change) {
-    return assembled(read_scene(find_scene(scene.scene), variant_for(scene, scheme), scene.overrides),
-                     scene.particle_spacing, scene.end, scheme, change);
+    return assembled(set_up_of(scene, variant_for(scene, scheme)), scene.particle_spacing, scene.end, scheme,
+                     change);
 }
 
 SceneCase dam_break(double particle_spacing) {

@@ -57,7 +57,7 @@ TEST_CASE("A wrong statement is named with its key", "[statements]") {
         {"measure = \"product\"\nquantity = \"front_mean\"\nat_least = 1\n",
          "expected one of difference, ratio, curve_difference"},
         {"measure = \"ratio\"\nquantity = \"fronts\"\nat_least = 1\n", "expected one of front_mean"},
-        {"measure = \"ratio\"\nat_least = 1\n", "quantity': missing, expected one of front_mean"},
+        {"measure = \"ratio\"\nat_least = 1\n", "quantity': missing, expected a text"},
         {"measure = \"ratio\"\nquantity = \"front_mean\"\n",
          "at_least': missing, expected the limits within which the statement holds, 'at_least' or 'at_most' "
          "or "
