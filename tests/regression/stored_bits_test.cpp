@@ -43,7 +43,7 @@ using Known = std::map<std::string, std::uint64_t>;  ///< by instruction set
 const std::map<const char*, Known> known{
     {"dam_break",
      {{"sse2", 0xd601aad3545c7a4d}, {"avx2", 0x140c19031ae7ee94}, {"avx512", 0xbc9006b43af0e557}}},
-    {"wedge", {{"sse2", 0x0}, {"avx2", 0x0}, {"avx512", 0x0}}},
+    {"wedge", {{"sse2", 0xa7f3226889cc86f0}, {"avx2", 0x441541aa91607592}, {"avx512", 0x7e2a8e6fa1974586}}},
 };
 
 }  // namespace
