@@ -21,7 +21,7 @@
 namespace wetdeck {
 namespace {
 
-constexpr double largest_value = 1e299;  // OpenFOAM writes -1e+300 where a probe lies in no cell
+constexpr double no_value = 1e300;  // OpenFOAM writes -1e+300 where a probe lies in no cell
 constexpr std::uintmax_t largest_file = 20'000'000;
 constexpr std::array origins{"tabulated", "digitised", "computed", "stated"};
 constexpr std::array required_keys{
@@ -268,7 +268,7 @@ class Reader {
         const std::optional<double> value = number_in(cell);
         if (!value) fail(fmt::format("{} is '{}', expected a number{}", name, cell, reading_hint(cell)));
         if (!std::isfinite(*value)) fail(fmt::format("{} is '{}', expected a finite number", name, cell));
-        if (std::abs(*value) > largest_value)
+        if (std::abs(*value) >= no_value)
             fail(fmt::format("{} is '{}', which stands for no value in some programs; leave the cell empty",
                              name, cell));
         return *value;
