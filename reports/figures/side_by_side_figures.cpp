@@ -16,14 +16,22 @@ Figure side_by_side_figure(const AnalysisSpec& scene, const SideBySide& entry, c
     const auto compared = std::find_if(scene.comparisons.begin(), scene.comparisons.end(),
                                        [&](const ComparisonSpec& c) { return c.quantity == entry.series; });
     const bool scaled = compared != scene.comparisons.end();
+    SeriesScaling scaling;
+    if (scaled) scaling = *compared;
+    // an origin of time is that of one variant: all are drawn on the clock of the run
+    const bool own_clock = !scaled || !scaling.origin.empty();
+    if (own_clock) {
+        scaling.x_offset = 0;
+        scaling.x_scale = 1;
+        scaling.event.reset();
+    }
     figure.name = scene.scene + "-" + slug(entry.title) + "-curves";
     figure.title = entry.title;
-    figure.x = {scaled ? compared->x_label : "time", scaled ? "" : "s", false, {}};
+    figure.x = {own_clock ? "time" : compared->x_label, own_clock ? "s" : "", false, {}};
     const Runs chosen = side_by_side_runs(runs, entry);
     for (std::size_t v = 0; v < chosen.size(); ++v) {
         const RunRecord& record = chosen[v]->record;
-        const SeriesCurve series =
-            series_curve(record, entry.series, scaled ? SeriesScaling(*compared) : SeriesScaling{});
+        const SeriesCurve series = series_curve(record, entry.series, scaling);
         if (series.curve.x.size() < 2) continue;
         const auto found = record.series.find(entry.series);
         figure.y = {scaled ? compared->y_label : entry.series, scaled ? "" : found->second.unit, false, {}};
