@@ -75,9 +75,9 @@ std::vector<double> water_top(const Simulation& simulation, double low, double h
     std::vector<double> top(count, simulation.domain().low.y());
     for (std::size_t i = 0; i < fluid.water; ++i) {
         const FluidState& p = fluid.state[i];
-        // the particle covers every column that its width reaches
-        const double first = std::ceil((p.x - 0.5 * dx - low) / width - 0.5);
-        const double last = std::floor((p.x + 0.5 * dx - low) / width - 0.5);
+        // neighbours overlap, so that no column falls between two that have moved apart a little
+        const double first = std::ceil((p.x - 0.75 * dx - low) / width - 0.5);
+        const double last = std::floor((p.x + 0.75 * dx - low) / width - 0.5);
         const double end = std::min(last, static_cast<double>(count) - 1);
         for (double k = std::max(first, 0.0); k <= end; ++k) {
             double& height = top[static_cast<std::size_t>(k)];

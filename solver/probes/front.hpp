@@ -27,8 +27,9 @@ double front_position(const Simulation& simulation);
 /// in the tank. Voids do not count.
 double water_depth(const Simulation& simulation, double x, double width);
 
-/// Height of the highest water in each of `count` columns of equal width between `low` and `high` [m]; spray
-/// counts. The bottom of the tank where a column has no water.
+/// Height of the highest water within three quarters of a spacing of the middle of each of `count` columns of
+/// equal width between `low` and `high` [m]; spray counts. The bottom of the tank where a column has no
+/// water.
 std::vector<double> water_top(const Simulation& simulation, double low, double high, std::size_t count);
 
 /// Gap between a straight face of a body and the nearest water in front of it [m], zero where they touch.

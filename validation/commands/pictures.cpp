@@ -82,7 +82,12 @@ RasterOptions raster_of(const Scene& scene, const RunRecord& record) {
     options.y_max = scene.tank.high.y();
     options.particle_radius = 0.75 * record.particle_spacing;
     options.water_max = scene.model.water.eos.reference_density * (head + fastest * fastest);
-    if (with_air(record)) options.air_speed_max = 4 * std::sqrt(head);
+    if (!(options.water_max > 0)) {  // without gravity and bodies: what one percent of compression gives
+        const TaitEquationOfState& water = scene.model.water.eos;
+        options.water_max = 0.01 * water.reference_density * water.sound_speed * water.sound_speed;
+    }
+    if (with_air(record))
+        options.air_speed_max = std::max(4 * std::sqrt(head), 0.01 * scene.model.air.eos.sound_speed);
     return options;
 }
 

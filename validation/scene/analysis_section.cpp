@@ -66,6 +66,7 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
         table.fail("expected_uncertainty", "expected zero or a positive number");
     if (const char* key = missing_key(q); key != nullptr)
         table.fail(key, fmt::format("missing, the metric {} needs it", q.metric->name));
+    if (q.tolerance && !(*q.tolerance > 0)) table.fail("tolerance", "expected a positive number");
     if (q.expected && !q.tolerance) table.fail("tolerance", "missing beside 'expected'");
     table.finish();
     return q;

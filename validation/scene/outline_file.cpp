@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -115,6 +116,12 @@ class CornerReader {
         if (titles_ > 0 && !(titles_ == 1 && units_alone)) lines_.fail("expected two numbers, x and y [m]");
         ++titles_;
         take_units(units);
+        const auto named = [&](std::size_t k, char axis) {
+            return cells[k].front() == axis &&
+                   (cells[k].size() == 1 || !std::isalnum(static_cast<unsigned char>(cells[k][1])));
+        };
+        if (cells.size() == 2 && named(0, 'y') && named(1, 'x'))
+            lines_.fail("names y before x, expected the columns x, y");
         if (!units.empty()) return;
         for (const std::string_view cell : cells)
             if (names_other_length(cell))

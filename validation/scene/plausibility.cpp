@@ -46,6 +46,27 @@ void doubt_fluids(const Scene& scene, Doubts& found) {
                                     air.reference_density, eos.reference_density));
 }
 
+void doubt_ingredients(const Scene& scene, Doubts& found) {
+    const double background = scene.model.water.eos.background_pressure;
+    if (!scene.air && background > 0)
+        found.push_back(
+            fmt::format("model.background_pressure is {:.4g} Pa without air: no air balances it at "
+                        "the free surface, and pressures are too low by up to as much",
+                        background));
+    const Vec2 size = scene.tank.high - scene.tank.low;
+    const double sponge = scene.model.sponge_thickness;
+    if (sponge > 0.25 * size.minCoeff())
+        found.push_back(
+            fmt::format("model.sponge_thickness is {:.4g} m in a tank of {:.4g} x {:.4g} m: it slows "
+                        "down more than half of a side",
+                        sponge, size.x(), size.y()));
+    if (scene.model.contact.on() && scene.bodies.size() > 1)
+        found.push_back(
+            "[contact] with several bodies: a body meets another with its corners alone, so that "
+            "bodies whose corners lie in line pass through each other, and where each has a corner "
+            "in the other the rebound is too low (0.40 for a restitution of 0.5)");
+}
+
 void doubt_gravity(const Scene& scene, Doubts& found) {
     const Vec2& g = scene.model.gravity;
     if (g.y() > 0) found.push_back(fmt::format("gravity points up: [{:.4g}, {:.4g}] m/s2", g.x(), g.y()));
@@ -118,6 +139,11 @@ void doubt_times(const Scene& scene, Doubts& found) {
             fmt::format("run.sample_interval is {:.4g} s: the run to {:.4g} s has {:.0f} samples, "
                         "fewer than {:.0f}",
                         scene.sample_interval, scene.end_time, std::floor(samples) + 1, fewest));
+    if (scene.force_filter > 0.1 * scene.end_time)
+        found.push_back(
+            fmt::format("run.force_filter is {:.4g} s, more than a tenth of the run of {:.4g} s: "
+                        "filtered peaks would be means",
+                        scene.force_filter, scene.end_time));
     for (const double time : scene.picture_times) {
         if (time <= (1 + 1e-9) * scene.end_time) continue;
         found.push_back(
@@ -132,6 +158,7 @@ std::vector<std::string> doubtful(const Scene& scene) {
     Doubts found;
     doubt_fluids(scene, found);
     doubt_gravity(scene, found);
+    doubt_ingredients(scene, found);
     doubt_initial(scene, found);
     for (const BodySpec& spec : scene.bodies)
         doubt_mass(spec, scene.model.water.eos.reference_density, found);

@@ -61,7 +61,7 @@ std::vector<Box> read_boxes(const TomlTable& table, const Box& tank, const std::
 void check_column(const TomlTable& initial, const Scene& scene) {
     constexpr double tolerance = 1e-9;
     const double face = scene.initial.released_face;
-    double left = face, right = face;
+    double left = scene.tank.high.x(), right = scene.tank.low.x();
     const auto wet = [&](double x, double y) {
         return std::any_of(scene.water_boxes.begin(), scene.water_boxes.end(), [&](const Box& box) {
             return box.low.x() <= x && x <= box.high.x() && box.low.y() <= y && y <= box.high.y();
@@ -84,11 +84,19 @@ void check_column(const TomlTable& initial, const Scene& scene) {
         return std::min(std::abs(box.low.x() - face), std::abs(box.high.x() - face)) < tolerance;
     };
     const bool both_sides = face - left > tolerance && right - face > tolerance;
-    if (both_sides || std::none_of(scene.water_boxes.begin(), scene.water_boxes.end(), ends_at_face))
+    const bool at_wall = face - scene.tank.low.x() < tolerance || scene.tank.high.x() - face < tolerance;
+    if (both_sides || at_wall ||
+        std::none_of(scene.water_boxes.begin(), scene.water_boxes.end(), ends_at_face))
         initial.fail("released_face",
-                     fmt::format("is x = {} m, expected an end of the column of water, whose "
-                                 "boxes reach from x = {} to {} m",
-                                 face, left, right));
+                     fmt::format("is x = {} m, expected the free end of the column of water, whose "
+                                 "boxes reach from x = {} to {} m in a tank from {} to {} m",
+                                 face, left, right, scene.tank.low.x(), scene.tank.high.x()));
+    const double held = face - left > tolerance ? left - scene.tank.low.x() : scene.tank.high.x() - right;
+    if (held > tolerance)
+        initial.fail("pressure",
+                     fmt::format("'greco' is that of a column held by a wall of the tank; this one, "
+                                 "from x = {} to {} m, is free at both ends",
+                                 left, right));
 }
 
 double highest_top(const std::vector<Box>& boxes) {

@@ -97,6 +97,9 @@ TEST_CASE("Greco's pressure is refused for water that is no column with the rele
         CAPTURE(boxes, face);
         CHECK_THAT(refused(boxes, face), Catch::Contains("key 'initial."));
     }
+    CHECK_THAT(refused("[[0.0, 0.0, 1.0, 0.2]]", "1.0"), Catch::Contains("key 'initial.released_face'"));
+    CHECK_THAT(refused("[[0.0, 0.0, 0.4, 0.2]]", "0.0"), Catch::Contains("key 'initial.released_face'"));
+    CHECK_THAT(refused("[[0.3, 0.0, 0.7, 0.2]]", "0.7"), Catch::Contains("is free at both ends"));
     CHECK_THAT(refused("[[0.0, 0.0, 0.4, 0.2]]", "0.4", "initial.surface=0.3"),
                Catch::Contains("key 'initial.pressure'"));
 }

@@ -81,6 +81,7 @@ TEST_CASE("A file of corners that could be read in two ways, or in none, is refu
         {"0,0\n1,0\r0,1\n", "hull.csv:2: the line ends with a lone carriage return"},
         {"x [s],y [m]\n0,0\n1,0\n0,1\n", "hull.csv:1: the unit 's' is none of length"},
         {"x [furlongs?],y\n0,0\n1,0\n0,1\n", "hull.csv:1: the unit 'furlongs?' is none of length"},
+        {"y [m],x [m]\n0,0\n1,0\n0,1\n", "hull.csv:1: names y before x, expected the columns x, y"},
         {"x_mm,y_mm\n0,0\n1,0\n0,1\n", "hull.csv:1: 'x_mm' names a unit, expected it in brackets"},
         {"x,y\nmm,mm\n0,0\n1,0\n0,1\n", "hull.csv:2: " + two},
         {"0,0\n1,inf\n0,1\n", "hull.csv:2: " + two},
