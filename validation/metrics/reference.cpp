@@ -72,14 +72,8 @@ bool has_titles_of_curves(std::string_view line) {
     const std::vector<std::string_view> cells = titles_of(line, separator_of_titles(line));
     const auto is_title = [](std::string_view cell) { return title_in(cell).has_unit; };
     if (!std::all_of(cells.begin(), cells.end(), is_title)) return false;
-    const auto is_length = [](std::string_view cell) {
-        try {
-            return same_dimension(unit_named(std::string(title_in(cell).unit)), unit_named("m"));
-        } catch (const InputError&) {
-            return false;
-        }
-    };
-    return cells.size() != 2 || !std::all_of(cells.begin(), cells.end(), is_length);
+    const auto in_length = [](std::string_view cell) { return is_length(std::string(title_in(cell).unit)); };
+    return cells.size() != 2 || !std::all_of(cells.begin(), cells.end(), in_length);
 }
 
 /// Without the separators that spreadsheets add at the end of a line.

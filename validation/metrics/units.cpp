@@ -171,6 +171,14 @@ bool same_dimension(const Unit& a, const Unit& b) {
     return a.powers == b.powers;
 }
 
+bool is_length(const std::string& text) {
+    try {
+        return same_dimension(unit_named(text), unit_named("m"));
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 namespace {
 
 Unit combined(const Unit& a, const Unit& b, int sign) {

@@ -30,6 +30,9 @@ std::string si_name(const Powers& powers);
 
 bool same_dimension(const Unit& a, const Unit& b);
 
+/// Whether the text names a unit of length.
+bool is_length(const std::string& text);
+
 /// Units of products and quotients, written by their SI names.
 Unit operator*(const Unit& a, const Unit& b);
 Unit operator/(const Unit& a, const Unit& b);

@@ -114,8 +114,7 @@ Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
     std::vector<RigidBody> bodies;
     for (const BodySpec& spec : scene.bodies) {
         bodies.push_back(spec.body);
-        if (!model.contact.on()) continue;
-        for (const Vec2& corner : spec.outline) bodies.back().corners.push_back(spec.body.local(corner));
+        if (model.contact.on()) bodies.back().corners = spec.local_outline();
     }
     Execution execution = scene.execution;
     execution.threads = threads;

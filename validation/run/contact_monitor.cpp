@@ -27,12 +27,9 @@ class ContactMonitor {
     explicit ContactMonitor(const Scene& scene) : law_(scene.model.contact.on()) {
         for (const BodySpec& spec : scene.bodies) {
             const RigidBody& body = spec.body;
-            Hull hull{spec.name, {}, 0, body.free[0] || body.free[1] || body.free[2]};
+            Hull hull{spec.name, spec.local_outline(), 0, body.free[0] || body.free[1] || body.free[2]};
             hull.moves = hull.moves || !body.velocity.isZero() || body.angular_velocity != 0;
-            for (const Vec2& corner : spec.outline) {
-                hull.frame.push_back(body.local(corner));
-                hull.radius = std::max(hull.radius, hull.frame.back().norm());
-            }
+            for (const Vec2& corner : hull.frame) hull.radius = std::max(hull.radius, corner.norm());
             hulls_.push_back(std::move(hull));
         }
     }

@@ -90,7 +90,7 @@ Outline moved(const BodySpec& spec, double time) {
         if (!body.free[static_cast<std::size_t>(k)]) body.position[k] += time * body.velocity[k];
     if (!body.free[2]) body.angle += time * body.angular_velocity;
     Outline outline;
-    for (const Vec2& corner : spec.outline) outline.push_back(body.placed(spec.body.local(corner)));
+    for (const Vec2& corner : spec.local_outline()) outline.push_back(body.placed(corner));
     return outline;
 }
 

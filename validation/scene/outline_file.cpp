@@ -138,14 +138,6 @@ class CornerReader {
         if (lengths) take_units(units);
     }
 
-    static bool is_length(const std::string& text) {
-        try {
-            return same_dimension(unit_named(text), unit_named("m"));
-        } catch (const InputError&) {
-            return false;
-        }
-    }
-
     void take_units(const std::vector<std::string>& units) {
         if (units.empty()) return;
         if (units.size() > 2)
