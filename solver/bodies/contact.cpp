@@ -6,49 +6,102 @@
 namespace wetdeck {
 namespace {
 
-/// How far a point is behind a surface, and the surface's normal there.
-struct Behind {
-    double depth = 0;  ///< negative in front [m]
-    Vec2 normal = Vec2::Zero();
-};
-
-/// A face of the tank: the points with (point - on).normal = 0.
-struct Face {
-    Vec2 on, normal;
-
-    Behind of(Vec2 point) const { return {(on - point).dot(normal), normal}; }
-};
-
 double cross(Vec2 a, Vec2 b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// The surface of a body as others meet it.
-struct Surface {
-    const RigidBody& body;
+/// A corner behind a surface.
+struct Touch {
+    Vec2 at;           ///< [m]
+    Vec2 normal;       ///< along the push on the first body of the pair
+    double depth = 0;  ///< negative in front [m]
+};
+using Touches = std::vector<Touch>;
 
-    Behind of(Vec2 point) const {
-        const Vec2 local = body.local(point);
-        double nearest2 = std::numeric_limits<double>::infinity(), area = 0;
-        Vec2 foot = Vec2::Zero(), side = Vec2::Zero();
-        bool inside = false;
-        const std::vector<Vec2>& c = body.corners;
-        for (std::size_t k = 0, before = c.size() - 1; k < c.size(); before = k++) {
-            const Vec2 a = c[before], ab = c[k] - a;
-            area += cross(a, c[k]);
-            const Vec2 at = a + std::clamp((local - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) * ab;
-            if ((c[k].y() > local.y()) != (a.y() > local.y()) &&
-                local.x() < a.x() + (local.y() - a.y()) / ab.y() * ab.x())
-                inside = !inside;
-            if ((local - at).squaredNorm() >= nearest2) continue;
-            nearest2 = (local - at).squaredNorm();
-            foot = at;
-            side = ab;
-        }
-        const Vec2 outwards = (area > 0 ? 1 : -1) * Vec2(side.y(), -side.x()).normalized();
-        return {(inside ? 1 : -1) * (local - foot).norm(), body.axes() * outwards};
+/// One side of an outline, placed.
+struct Side {
+    Vec2 from, to, outwards;
+
+    double distance2(Vec2 point) const {
+        const Vec2 along = to - from;
+        const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        return (point - from - t * along).squaredNorm();
+    }
+    /// Whether a ray from the point to the left crosses it.
+    bool crosses_ray(Vec2 point) const {
+        return (from.y() > point.y()) != (to.y() > point.y()) &&
+               point.x() > from.x() + (point.y() - from.y()) / (to.y() - from.y()) * (to.x() - from.x());
     }
 };
+
+/// The sides of a body; side k begins at corner k.
+std::vector<Side> sides_of(const RigidBody& body) {
+    const std::size_t n = body.corners.size();
+    const Eigen::Matrix2d axes = body.axes();
+    double area = 0;
+    for (std::size_t k = 0; k < n; ++k) area += cross(body.corners[k], body.corners[(k + 1) % n]);
+    std::vector<Side> sides;
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec2 from = axes * body.corners[k], to = axes * body.corners[(k + 1) % n];
+        const Vec2 right = Vec2((to - from).y(), (from - to).x()).normalized();
+        sides.push_back({body.position + from, body.position + to, area > 0 ? right : Vec2(-right)});
+    }
+    return sides;
+}
+
+bool inside(const std::vector<Side>& sides, Vec2 point) {
+    bool odd = false;
+    for (const Side& side : sides) odd ^= side.crosses_ray(point);
+    return odd;
+}
+
+/// Adds the corners of one outline that are inside another or closer to it than `margin`. Such a corner has
+/// come through a side that faces one of its own two sides; of these sides the nearest pushes it. `sign`
+/// turns the push on the corner into that on the first body of the pair.
+void add_corners(const std::vector<Side>& own, const std::vector<Side>& other, double margin, double sign,
+                 Touches& touches) {
+    constexpr double facing = -1e-9;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        const Side &after = own[k], &before = own[(k + own.size() - 1) % own.size()];
+        const Side* through = nullptr;
+        double nearest2 = std::numeric_limits<double>::infinity();
+        for (const Side& side : other) {
+            const double distance2 = side.distance2(after.from);
+            if (distance2 >= nearest2 ||
+                (side.outwards.dot(after.outwards) > facing && side.outwards.dot(before.outwards) > facing))
+                continue;
+            nearest2 = distance2;
+            through = &side;
+        }
+        if (!through) continue;
+        // a corner on the line of a side is inside if the body behind the corner is
+        const double nudge = 1e-9 * (after.to - after.from).norm();
+        const bool behind = inside(other, after.from - nudge * (after.outwards + before.outwards));
+        if (!behind && nearest2 >= margin * margin) continue;
+        touches.push_back({after.from, sign * through->outwards, (behind ? 1 : -1) * std::sqrt(nearest2)});
+    }
+}
+
+/// All corners of either body that are inside the other, or closer to it than `margin` [m].
+Touches touches_of(const RigidBody& body, const RigidBody& other, double margin) {
+    const std::vector<Side> sides = sides_of(body), others = sides_of(other);
+    Touches touches;
+    add_corners(sides, others, margin, 1, touches);
+    add_corners(others, sides, margin, -1, touches);
+    return touches;
+}
+
+/// The same of the corners behind a face of the tank through the point `on`.
+Touches touches_of(const RigidBody& body, Vec2 on, Vec2 normal, double margin) {
+    const Eigen::Matrix2d axes = body.axes();
+    Touches touches;
+    for (const Vec2& corner : body.corners) {
+        const Vec2 at = body.position + axes * corner;
+        const double depth = (on - at).dot(normal);
+        if (depth > -margin) touches.push_back({at, normal, depth});
+    }
+    return touches;
+}
 
 /// What a body does under a unit force, by degree of freedom.
 struct Mobility {
@@ -66,16 +119,6 @@ struct Mobility {
     }
 };
 
-/// Visits each corner of `body` that is behind `surface` or closer to it than `margin`.
-template <class SurfaceType, class Visit>
-void for_each_corner(const RigidBody& body, const SurfaceType& surface, double margin, const Visit& visit) {
-    for (const Vec2& corner : body.corners) {
-        const Vec2 arm = body.axes() * corner;
-        const Behind behind = surface.of(body.position + arm);
-        if (behind.depth > -margin) visit(arm, behind);
-    }
-}
-
 /// Of the farthest corner about the mass centre [m].
 double reach_of(const RigidBody& body) {
     double reach2 = 0;
@@ -83,71 +126,61 @@ double reach_of(const RigidBody& body) {
     return std::sqrt(reach2);
 }
 
-/// Adds the loads of the corners of one body behind one surface; `other` is the body of that surface.
-template <class SurfaceType>
-void push(RigidBody& body, RigidBody* other, const SurfaceType& surface, const ContactLaw& law) {
+/// Approach of a pair at a corner under one unit force there: 1/m of that corner alone [m/kg].
+double approach_alone(const RigidBody& body, const RigidBody* other, const Touch& touch) {
+    const auto of = [&](const RigidBody& b) {
+        const double lever = cross(touch.at - b.position, touch.normal);
+        return Mobility(b).approach(touch.normal, lever, {touch.normal, lever});
+    };
+    return of(body) + (other ? of(*other) : 0);
+}
+
+/// Adds the loads of the corners in touch to a body and, if there is one, to the other.
+void push(RigidBody& body, RigidBody* other, const Touches& touches, const ContactLaw& law) {
     const double zeta = damping_ratio(law.restitution);
-    const Mobility own(body);
-    BodyLoad unit, unit_other;
-    const auto arm_of_other = [&](Vec2 arm) { return Vec2(arm + body.position - other->position); };
-    for_each_corner(body, surface, 0, [&](Vec2 arm, const Behind& at) {
-        unit.force += at.normal;
-        unit.torque += cross(arm, at.normal);
-        if (!other) return;
-        unit_other.force -= at.normal;
-        unit_other.torque -= cross(arm_of_other(arm), at.normal);
-    });
-    if (unit.force.isZero() && unit.torque == 0) return;
-    for_each_corner(body, surface, 0, [&](Vec2 arm, const Behind& at) {
-        const double lever = cross(arm, at.normal);
-        double approach = own.approach(at.normal, lever, unit);
-        double alone = own.approach(at.normal, lever, {at.normal, lever});
+    BodyLoad unit, unit_other;  // of unit forces at all corners
+    const auto add = [](BodyLoad& load, const RigidBody& b, Vec2 at, Vec2 force) {
+        load.force += force;
+        load.torque += cross(at - b.position, force);
+    };
+    for (const Touch& touch : touches) {
+        add(unit, body, touch.at, touch.normal);
+        if (other) add(unit_other, *other, touch.at, -touch.normal);
+    }
+    for (const Touch& touch : touches) {
+        const double alone = approach_alone(body, other, touch);
+        if (!(alone > 0)) continue;  // neither can move
+        const Vec2 arm = touch.at - body.position;
+        double approach = Mobility(body).approach(touch.normal, cross(arm, touch.normal), unit);
         Vec2 speed = body.velocity_at(arm);
         if (other) {
-            const Mobility others(*other);
-            const double reach = cross(arm_of_other(arm), at.normal);
-            approach -= others.approach(at.normal, reach, unit_other);
-            alone += others.approach(at.normal, reach, {at.normal, reach});
-            speed -= other->velocity_at(arm_of_other(arm));
+            const Vec2 arm_of_other = touch.at - other->position;
+            const double lever = cross(arm_of_other, touch.normal);
+            approach -= Mobility(*other).approach(touch.normal, lever, unit_other);
+            speed -= other->velocity_at(arm_of_other);
         }
-        if (!(alone > 0)) return;  // neither can move
         const double mass = 1 / (approach > 0 ? approach : alone);
-        const Vec2 force = law.force(zeta, at.depth, -speed.dot(at.normal), mass) * at.normal;
-        body.contact.force += force;
-        body.contact.torque += cross(arm, force);
-        if (!other) return;
-        other->contact.force -= force;
-        other->contact.torque -= cross(arm_of_other(arm), force);
-    });
+        const Vec2 force = law.force(zeta, touch.depth, -speed.dot(touch.normal), mass) * touch.normal;
+        add(body.contact, body, touch.at, force);
+        if (other) add(other->contact, *other, touch.at, -force);
+    }
 }
 
-/// The largest eigenvalue of K M^-1 is at most its trace.
-template <class SurfaceType>
-double frequency2(const RigidBody& body, const RigidBody* other, const SurfaceType& surface, double stiffness,
-                  double margin) {
-    const Mobility own(body);
-    double sum = 0;
-    for_each_corner(body, surface, margin, [&](Vec2 arm, const Behind& at) {
-        const double lever = cross(arm, at.normal);
-        sum += own.approach(at.normal, lever, {at.normal, lever});
-        if (!other) return;
-        const double reach = cross(arm + body.position - other->position, at.normal);
-        sum += Mobility(*other).approach(at.normal, reach, {at.normal, reach});
-    });
-    return stiffness * sum;
-}
-
-/// Calls visit(body, other or nullptr, surface) for each surface that a body may touch.
+/// Calls visit(body, other or nullptr, touches) for each pair in touch or closer to it than `margin` [m].
 template <class Bodies, class Visit>
 void for_each_pair(Bodies& bodies, Box tank, double margin, const Visit& visit) {
-    const Face faces[] = {{tank.low, {0, 1}}, {tank.high, {0, -1}}, {tank.low, {1, 0}}, {tank.high, {-1, 0}}};
-    for (auto& body : bodies) {
+    const std::pair<Vec2, Vec2> faces[] = {
+        {tank.low, {0, 1}}, {tank.high, {0, -1}}, {tank.low, {1, 0}}, {tank.high, {-1, 0}}};
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        auto& body = bodies[b];
         const double reach = reach_of(body) + margin;
-        for (const Face& face : faces)
-            if (face.of(body.position).depth > -reach) visit(body, nullptr, face);
-        for (auto& other : bodies) {
-            const double distance = (body.position - other.position).norm();
-            if (&other != &body && distance < reach + reach_of(other)) visit(body, &other, Surface{other});
+        for (const auto& [on, normal] : faces)
+            if ((body.position - on).dot(normal) < reach)
+                visit(body, nullptr, touches_of(body, on, normal, margin));
+        for (std::size_t o = 0; o < b; ++o) {
+            auto& other = bodies[o];
+            if ((body.position - other.position).norm() < reach + reach_of(other))
+                visit(body, &other, touches_of(body, other, margin));
         }
     }
 }
@@ -156,17 +189,19 @@ void for_each_pair(Bodies& bodies, Box tank, double margin, const Visit& visit) 
 
 void set_contact_loads(std::vector<RigidBody>& bodies, Box tank, const ContactLaw& law) {
     for (RigidBody& body : bodies) body.contact = {};
-    for_each_pair(bodies, tank, 0, [&](RigidBody& body, RigidBody* other, const auto& surface) {
-        push(body, other, surface, law);
+    for_each_pair(bodies, tank, 0, [&](RigidBody& body, RigidBody* other, const Touches& touches) {
+        push(body, other, touches, law);
     });
 }
 
 double contact_frequency(const std::vector<RigidBody>& bodies, Box tank, const ContactLaw& law,
                          double margin) {
+    // the largest eigenvalue of K M^-1 is at most its trace
     double highest2 = 0;
     for_each_pair(bodies, tank, margin,
-                  [&](const RigidBody& body, const RigidBody* other, const auto& surface) {
-                      highest2 += frequency2(body, other, surface, law.stiffness, margin);
+                  [&](const RigidBody& body, const RigidBody* other, const Touches& touches) {
+                      for (const Touch& touch : touches)
+                          highest2 += law.stiffness * approach_alone(body, other, touch);
                   });
     return std::sqrt(highest2);
 }

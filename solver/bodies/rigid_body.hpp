@@ -76,6 +76,11 @@ struct RigidBody {
             throw InputError("a body that is free to turn needs a positive inertia");
     }
 
+    /// Whether forces can move it in any way.
+    bool yields() const { return free[0] || free[1] || free[2]; }
+    /// Whether it moves or could: it yields, or has a velocity that it keeps.
+    bool moves() const { return yields() || !velocity.isZero() || angular_velocity != 0; }
+
     /// x in the equation of motion [kg/m].
     double excess_mass() const { return std::max(0.0, added_mass - mass); }
     /// The same of rotation [kg m].

@@ -74,3 +74,27 @@ TEST_CASE("with a law of contact the body comes to rest on the floor at half its
     CHECK(last_of(record, "body_velocity_y") == Approx(0).margin(0.01));
     CHECK(last_of(record, "body_angle") == Approx(0).margin(0.01));
 }
+
+TEST_CASE("a body that moves as given into another ends the run, a law of contact or not", "[faults]") {
+    const ScratchFolder folder;
+    const std::string scene = put_sinking_block(folder);
+    std::string text = samples::bytes_of(scene);
+    text =
+        samples::replaced(text, "position = [0.5, 0.1]\nfree = [\"x\", \"y\", \"rotation\"]\nmass = 180.0\n",
+                          R"toml(position = [0.3, 0.1]
+velocity_x = 0.5
+
+[body_2]
+outline = [[-0.15, 0.0], [0.15, 0.0], [0.15, 0.2], [-0.15, 0.2]]
+position = [0.65, 0.1]
+
+[contact]
+)toml");
+    samples::put_bytes(folder / "block.toml", text);
+    const Outcome outcome = run_program(run_of(scene, folder / "run"));
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.code == 3);
+    CHECK_THAT(outcome.out, Contains("body_2 touches body, and both move as given"));
+    const RunRecord record = read_run(folder / "run/run.h5");
+    CHECK(record.series.at("body_x").time.back() == Approx(0.1).margin(0.011));  // 0.05 m at 0.5 m/s
+}

@@ -19,7 +19,8 @@ struct Hull {
 struct Touch {
     Vec2 position;
     std::string what;
-    double depth = 0;  ///< [m]
+    double depth = 0;      ///< [m]
+    bool can_part = true;  ///< whether a force of contact can move either
 };
 
 class ContactMonitor {
@@ -27,8 +28,7 @@ class ContactMonitor {
     explicit ContactMonitor(const Scene& scene) : law_(scene.model.contact.on()) {
         for (const BodySpec& spec : scene.bodies) {
             const RigidBody& body = spec.body;
-            Hull hull{spec.name, spec.local_outline(), 0, body.free[0] || body.free[1] || body.free[2]};
-            hull.moves = hull.moves || !body.velocity.isZero() || body.angular_velocity != 0;
+            Hull hull{spec.name, spec.local_outline(), 0, body.moves()};
             for (const Vec2& corner : hull.frame) hull.radius = std::max(hull.radius, corner.norm());
             hulls_.push_back(std::move(hull));
         }
@@ -40,65 +40,87 @@ class ContactMonitor {
 
     std::optional<Instability> operator()(const Simulation& simulation) const {
         const std::vector<RigidBody>& bodies = simulation.bodies();
-        const double allowed = law_ ? simulation.particle_spacing() : 0;
+        const double spacing = simulation.particle_spacing();
         for (std::size_t b = 0; b < hulls_.size(); ++b) {
-            std::optional<Touch> touch = with_tank(hulls_[b], bodies[b], simulation.domain(), allowed);
+            std::optional<Touch> touch = with_tank(hulls_[b], bodies[b], simulation.domain(), spacing);
             for (std::size_t other = 0; other < b && !touch; ++other)
-                touch = with_body(b, other, bodies, allowed);
+                touch = with_body(b, other, bodies, spacing);
             if (!touch) continue;
-            const std::string text =
-                law_ ? fmt::format(
-                           "{} is {:.3g} m deep in {}, more than one spacing: contact.stiffness is too low",
-                           hulls_[b].name, touch->depth, touch->what)
-                     : fmt::format("{} touches {}, and the scene has no law of contact (table [contact])",
-                                   hulls_[b].name, touch->what);
-            return Instability{simulation.time(), simulation.steps(), std::nullopt, touch->position, text};
+            return Instability{simulation.time(), simulation.steps(), std::nullopt, touch->position,
+                               message(hulls_[b].name, *touch)};
         }
         return std::nullopt;
     }
 
   private:
+    std::string message(const std::string& name, const Touch& touch) const {
+        if (!law_)
+            return fmt::format("{} touches {}, and the scene has no law of contact (table [contact])", name,
+                               touch.what);
+        if (!touch.can_part)
+            return fmt::format("{} touches {}, and both move as given: no force of contact can part them",
+                               name, touch.what);
+        return fmt::format("{} is {:.3g} m deep in {}, more than one spacing: contact.stiffness is too low",
+                           name, touch.depth, touch.what);
+    }
+
+    /// The depth from which on bodies touch: at rest on each other by the law they are not deeper than a
+    /// spacing, and those that may slide along each other have their faces in line to rounding errors.
+    double least_depth(bool can_part, double spacing) const {
+        if (!law_) return 0;
+        return can_part ? spacing : 1e-9;
+    }
+
     static Outline placed(const Hull& hull, const RigidBody& body) {
         Outline outline;
         for (const Vec2& corner : hull.frame) outline.push_back(body.placed(corner));
         return outline;
     }
 
-    static std::optional<Touch> with_tank(const Hull& hull, const RigidBody& body, const Box& tank,
-                                          double allowed) {
+    std::optional<Touch> with_tank(const Hull& hull, const RigidBody& body, const Box& tank,
+                                   double spacing) const {
         const double room =
             std::min((body.position - tank.low).minCoeff(), (tank.high - body.position).minCoeff());
-        if (!hull.moves || room > hull.radius - allowed) return std::nullopt;
+        if (!hull.moves || room > hull.radius) return std::nullopt;
         std::optional<Touch> deepest;
-        const auto consider = [&](Vec2 corner, const char* face, double depth) {
-            if (depth >= allowed && (!deepest || depth > deepest->depth))
-                deepest = {corner, fmt::format("the {}", face), depth};
+        const auto consider = [&](Vec2 corner, const char* face, std::size_t axis, double depth) {
+            const bool can_part = body.free[axis] || body.free[2];
+            if (depth >= least_depth(can_part, spacing) && (!deepest || depth > deepest->depth))
+                deepest = {corner, fmt::format("the {}", face), depth, can_part};
         };
         for (const Vec2& corner : hull.frame) {
             const Vec2 place = body.placed(corner);
-            consider(place, "floor", tank.low.y() - place.y());
-            consider(place, "roof", place.y() - tank.high.y());
-            consider(place, "left wall", tank.low.x() - place.x());
-            consider(place, "right wall", place.x() - tank.high.x());
+            consider(place, "floor", 1, tank.low.y() - place.y());
+            consider(place, "roof", 1, place.y() - tank.high.y());
+            consider(place, "left wall", 0, tank.low.x() - place.x());
+            consider(place, "right wall", 0, place.x() - tank.high.x());
         }
         return deepest;
     }
 
     std::optional<Touch> with_body(std::size_t one, std::size_t two, const std::vector<RigidBody>& bodies,
-                                   double allowed) const {
+                                   double spacing) const {
         const Hull &a = hulls_[one], &b = hulls_[two];
         const double distance = (bodies[one].position - bodies[two].position).norm();
         if ((!a.moves && !b.moves) || distance > a.radius + b.radius) return std::nullopt;
         const Outline outline = placed(a, bodies[one]), other = placed(b, bodies[two]);
         if (!overlap(outline, other)) return std::nullopt;
-        Touch deepest{0.5 * (bodies[one].position + bodies[two].position), b.name, -1};
-        for (const auto& [corners, surface] : {std::pair(&outline, &other), std::pair(&other, &outline)}) {
-            for (const Vec2& corner : *corners) {
-                const double depth = -distance_to(*surface, corner);
-                if (depth > deepest.depth) deepest = {corner, b.name, depth};
+        Touch deepest{0.5 * (bodies[one].position + bodies[two].position), b.name, -1,
+                      bodies[one].yields() || bodies[two].yields()};
+        for (const auto& [mine, surface] : {std::pair(&outline, &other), std::pair(&other, &outline)}) {
+            // the middles as well: the corners of two faces that lie in line stay on the other's outline
+            for (std::size_t k = 0; k < mine->size(); ++k) {
+                const Vec2 corner = (*mine)[k], middle = 0.5 * (corner + (*mine)[(k + 1) % mine->size()]);
+                for (const Vec2& point : {corner, middle}) {
+                    const double depth = -distance_to(*surface, point);
+                    if (depth <= deepest.depth) continue;
+                    deepest.position = point;
+                    deepest.depth = depth;
+                }
             }
         }
-        return deepest.depth >= allowed || !law_ ? std::optional(deepest) : std::nullopt;
+        const bool touches = !law_ || deepest.depth >= least_depth(deepest.can_part, spacing);
+        return touches ? std::optional(deepest) : std::nullopt;
     }
 
     std::vector<Hull> hulls_;

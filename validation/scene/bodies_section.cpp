@@ -57,11 +57,6 @@ TankFace nearest_face(const Outline& outline, const Box& tank) {
     return nearest;
 }
 
-bool can_move(const RigidBody& body) {
-    const bool free = body.free[0] || body.free[1] || body.free[2];
-    return free || !body.velocity.isZero() || body.angular_velocity != 0;
-}
-
 /// Throws where the body starts outside the tank, in contact with it without a law of contact, or in another
 /// body.
 void check_place(const TomlTable& table, const BodySpec& spec, const Scene& scene) {
@@ -70,13 +65,13 @@ void check_place(const TomlTable& table, const BodySpec& spec, const Scene& scen
     if (face.gap < -tolerance)
         table.fail("outline",
                    fmt::format("reaches outside the tank: {:.4g} m beyond the {}", -face.gap, face.name));
-    const bool may_touch = scene.model.contact.on() && can_move(spec.body);
+    const bool may_touch = scene.model.contact.on() && spec.body.moves();
     if (face.gap <= tolerance && !may_touch)
-        table.fail("outline",
-                   fmt::format("touches the tank's {}: leave a gap of less than half a spacing, which no "
-                               "particle enters (0.001 m, say){}",
-                               face.name,
-                               can_move(spec.body) ? ", or switch contact on with a table [contact]" : ""));
+        table.fail(
+            "outline",
+            fmt::format("touches the tank's {}: leave a gap of less than half a spacing, which no "
+                        "particle enters (0.001 m, say){}",
+                        face.name, spec.body.moves() ? ", or switch contact on with a table [contact]" : ""));
     for (const BodySpec& other : scene.bodies)
         if (overlap(spec.outline, other.outline)) table.fail("outline", "overlaps that of " + other.name);
 }

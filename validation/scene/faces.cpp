@@ -53,11 +53,6 @@ bool counter_clockwise(const Outline& outline) {
     return twice_area > 0;
 }
 
-bool never_moves(const RigidBody& body) {
-    return std::none_of(body.free.begin(), body.free.end(), [](bool free) { return free; }) &&
-           body.velocity.isZero(0) && body.angular_velocity == 0;
-}
-
 }  // namespace
 
 FacePlace nearest_wall(const Box& tank, Vec2 point) {
@@ -91,7 +86,7 @@ Vec2 along_with_fluid_on_right(const Outline& outline, Vec2 point) {
 
 std::optional<std::string> covered_for_good(const Scene& scene, Vec2 point) {
     for (const BodySpec& body : scene.bodies)
-        if (never_moves(body.body) && distance_to(body.outline, point) < face_tolerance) return body.name;
+        if (!body.body.moves() && distance_to(body.outline, point) < face_tolerance) return body.name;
     return std::nullopt;
 }
 

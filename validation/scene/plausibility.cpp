@@ -19,10 +19,6 @@ namespace {
 
 using Doubts = std::vector<std::string>;
 
-bool can_move(const RigidBody& body) {
-    return body.free[0] || body.free[1] || body.free[2];
-}
-
 void doubt_fluids(const Scene& scene, Doubts& found) {
     const TaitEquationOfState& eos = scene.model.water.eos;
     const ExpectedSpeed fastest = fastest_expected_speed(scene);
@@ -60,11 +56,6 @@ void doubt_ingredients(const Scene& scene, Doubts& found) {
             fmt::format("model.sponge_thickness is {:.4g} m in a tank of {:.4g} x {:.4g} m: it slows "
                         "down more than half of a side",
                         sponge, size.x(), size.y()));
-    if (scene.model.contact.on() && scene.bodies.size() > 1)
-        found.push_back(
-            "[contact] with several bodies: a body meets another with its corners alone, so that "
-            "bodies whose corners lie in line pass through each other, and where each has a corner "
-            "in the other the rebound is too low (0.40 for a restitution of 0.5)");
 }
 
 void doubt_gravity(const Scene& scene, Doubts& found) {
@@ -113,7 +104,7 @@ void doubt_initial(const Scene& scene, Doubts& found) {
 
 void doubt_mass(const BodySpec& spec, double water_density, Doubts& found) {
     const RigidBody& body = spec.body;
-    if (!can_move(body)) return;
+    if (!body.yields()) return;
     if (body.mass > 0) {
         const double ratio = body.mass / (area_moments(spec.outline).area * water_density);
         if (ratio > 30 || ratio < 1.0 / 60)

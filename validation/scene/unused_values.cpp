@@ -78,7 +78,7 @@ std::vector<Use> uses_of_body(const std::string& name) {
         };
     };
     const auto turns = where([](const RigidBody& b) { return b.free[2]; });
-    const auto moves = where([](const RigidBody& b) { return b.free[0] || b.free[1] || b.free[2]; });
+    const auto moves = where([](const RigidBody& b) { return b.yields(); });
     const auto pushed = where([](const RigidBody& b) {
         return (b.free[0] && b.applied_force.x() != 0) || (b.free[1] && b.applied_force.y() != 0);
     });

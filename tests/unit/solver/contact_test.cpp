@@ -100,6 +100,42 @@ TEST_CASE("two bodies push each other with opposite forces and lose no momentum"
     CHECK(energy(bodies) < before);
 }
 
+TEST_CASE("two bodies leave each other with the restitution, wherever their faces and corners meet",
+          "[contact]") {
+    struct Meeting {
+        const char* what;
+        double shift;   ///< of the second along y [m]
+        double angle;   ///< of the second
+        double height;  ///< of the second over that of the first
+    };
+    const Meeting meeting = GENERATE(values<Meeting>({{"faces in line", 0, 0, 1},
+                                                      {"faces nearly in line", 1e-12, 0, 1},
+                                                      {"a hair aside", 1e-6, 0, 1},
+                                                      {"aside by a depth", 1e-3, 0, 1},
+                                                      {"aside", 0.07, 0, 1},
+                                                      {"a face wider by half", 0, 0, 1.5},
+                                                      {"corners in line below", 0.1, 0, 2},
+                                                      {"narrower", 0.01, 0, 0.3},
+                                                      {"turned upside down", 0, std::numbers::pi, 1},
+                                                      {"turned on its corner", 0.03, 0.7, 1},
+                                                      {"a corner on a slanted face", 0.16, 0.4, 1}}));
+    const double e = GENERATE(0.3, 0.5, 1.0);
+    const bool fixed = GENERATE(false, true);
+    CAPTURE(meeting.what, e, fixed);
+    std::vector<RigidBody> bodies = {block({1, 1}), block({2, 1 + meeting.shift}, meeting.angle)};
+    for (Vec2& corner : bodies[1].corners) corner.y() *= meeting.height;
+    for (RigidBody& body : bodies) body.free = {true, false, false};
+    if (fixed) bodies[1].free = {false, false, false};
+    const double before = 0.1;
+    bodies[0].velocity = {before, 0};
+    // the second is brought nearer until the next step of 1e-5 m would touch
+    while (contact_frequency(bodies, tank, {1e9, e}, 2e-5) == 0) bodies[1].position.x() -= 1e-5;
+    march(bodies, {1e9, e}, {0, 0}, 0.006, 1e-7);
+    CHECK(bodies[1].velocity.x() - bodies[0].velocity.x() == Approx(e * before).epsilon(0.02));
+    CHECK(bodies[0].velocity.y() == 0);
+    if (!fixed) CHECK(80 * (bodies[0].velocity.x() + bodies[1].velocity.x()) == Approx(80 * before));
+}
+
 TEST_CASE("a block comes to rest on the floor with its weight on its corners", "[contact]") {
     const ContactLaw law{1e6, 0.4};
     std::vector<RigidBody> bodies = {block({2, 0.15}, 0.1)};
