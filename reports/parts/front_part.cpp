@@ -171,7 +171,8 @@ std::string mixture_notice(const Summary& summary) {
 /// Time origins that a reader should not trust, one paragraph a run.
 std::string doubts_notice(const Summary& summary) {
     std::string out;
-    for (const OriginDoubt& doubt : summary.doubts) {
+    for (const RunDoubt& doubt : summary.doubts) {
+        if (doubt.about != RunDoubt::About::time_origin) continue;
         const std::string with = doubt.overrides.empty() ? "" : fmt::format(" with {}", doubt.overrides);
         out += paragraph(fmt::format("Doubt about {} {} dx {}{}: {}", doubt.scene, doubt.variant,
                                      number(doubt.dx), with, doubt.sentence),

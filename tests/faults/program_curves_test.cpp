@@ -123,3 +123,23 @@ TEST_CASE("check tells outlines from curves and checks each as such", "[faults][
     CHECK_THAT(code == 0 ? outcome.out : outcome.err, Contains(message));
     if (code != 0) CHECK(outcome.one_line());
 }
+
+TEST_CASE("a curve of one point or beside the window is refused before a run", "[faults][curves]") {
+    const ScratchFolder folder;
+    const std::string scene = put_scene(folder), out = folder / "out";
+    for (const BadCurve& bad :
+         {BadCurve{"0.5,2.1\n", "nobody_front.csv has one point, expected at least two"},
+          BadCurve{"0.5,2.1\n0.6,\n", "has one point"},
+          BadCurve{"1.5,2.1\n2,2.2\n", "window 0 to 1 lies outside curve x of"},
+          BadCurve{"-2,2.1\n0,2.2\n", "spans -2 to 0"}}) {
+        samples::put_bytes(folder / "nobody_front.csv", head + "T [-],x [-]\n" + bad.text);
+        for (const std::vector<std::string>& arguments :
+             {std::vector<std::string>{"check", scene}, {"run", scene, "--dx", "0.04", "--out", out}}) {
+            const Outcome outcome = run_program(arguments);
+            INFO(arguments[0] << ": " << outcome.err);
+            CHECK(outcome.code == 2);
+            CHECK_THAT(outcome.err, Contains(bad.message));
+            CHECK_FALSE(std::filesystem::exists(out));
+        }
+    }
+}

@@ -10,7 +10,6 @@
 #include "validation/commands/options.hpp"
 #include "validation/commands/publish.hpp"
 #include "validation/commands/stored_report.hpp"
-#include "validation/metrics/flow_flags.hpp"
 #include "validation/run/exit_code.hpp"
 
 namespace wetdeck {
@@ -34,13 +33,7 @@ int print_verdict(const Summary& summary, const std::filesystem::path& directory
     for (const std::string& curve : unusable_curves(summary)) fmt::print(stderr, "note: {}\n", curve);
     fmt::print("report: {}\n", (directory / "index.html").string());
     std::fflush(stdout);
-    for (const RunSummary& run : summary.runs) {
-        if (run.expected_unstable) continue;
-        for (const std::string& flag : flow_flags(run.record))
-            fmt::print(stderr, "doubt: {} {} dx {}: {}\n", run.record.scene, run.record.variant,
-                       run.record.particle_spacing, flag);
-    }
-    for (const OriginDoubt& doubt : summary.doubts)
+    for (const RunDoubt& doubt : summary.doubts)
         fmt::print(stderr, "doubt: {} {} dx {}: {}\n", doubt.scene, doubt.variant, doubt.dx, doubt.sentence);
     const std::vector<std::string> outside = outside_tolerance(summary);
     if (outside.empty()) return exit_done;

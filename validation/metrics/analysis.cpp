@@ -12,6 +12,7 @@
 #include "validation/metrics/convergence.hpp"
 #include "validation/metrics/curve_convergence.hpp"
 #include "validation/metrics/energy_budget.hpp"
+#include "validation/metrics/flow_flags.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/metrics/reference_use.hpp"
 #include "validation/metrics/resample.hpp"
@@ -36,10 +37,15 @@ void evaluate_run(const AnalysisSpec& spec, RunSummary& run, ReferenceShelf& ref
     }
 }
 
-void add_doubts(const AnalysisSpec& spec, const RunRecord& record, std::vector<OriginDoubt>& doubts) {
-    for (const std::string& sentence : doubtful_origins(spec, record))
-        doubts.push_back({record.scene, record.variant, record.particle_spacing,
+void add_doubts(const AnalysisSpec& spec, const RunRecord& record, std::vector<RunDoubt>& doubts) {
+    const auto add = [&](RunDoubt::About about, const std::string& sentence) {
+        doubts.push_back({about, record.scene, record.variant, record.particle_spacing,
                           provenance_entry(record, "overrides"), sentence});
+    };
+    for (const std::string& sentence : doubtful_origins(spec, record))
+        add(RunDoubt::About::time_origin, sentence);
+    if (!spec.expected_unstable)
+        for (const std::string& sentence : flow_flags(record)) add(RunDoubt::About::flow, sentence);
 }
 
 /// Identity of the set-up by scene and variant: that of the run that was started last.

@@ -61,7 +61,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ValidationRow, scene, variant, quantity, unit
                                    verdict)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensitivityRow, scene, variant, dx, quantity, key, low, high, uncertainty,
                                    value_low, value_high, u_input)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(OriginDoubt, scene, variant, dx, overrides, sentence)
+NLOHMANN_JSON_SERIALIZE_ENUM(RunDoubt::About,
+                             {{RunDoubt::About::time_origin, "time origin"}, {RunDoubt::About::flow, "flow"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunDoubt, about, scene, variant, dx, overrides, sentence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerPoint, scene, name, reference, error, core_s, conditions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SpeedErrorPoint, scene, variant, dx, core_s, error, against, pareto)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AblationRow, scene, dx, ingredient, core_s_ratio, error_change, needed)

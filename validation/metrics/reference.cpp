@@ -72,6 +72,10 @@ bool has_titles_of_curves(std::string_view line) {
     const std::vector<std::string_view> cells = titles_of(line, separator_of_titles(line));
     const auto is_title = [](std::string_view cell) { return title_in(cell).has_unit; };
     if (!std::all_of(cells.begin(), cells.end(), is_title)) return false;
+    const auto is_place = [](std::string_view cell) {
+        return title_in(cell).name == "x" || title_in(cell).name == "y";
+    };
+    if (cells.size() == 2 && std::all_of(cells.begin(), cells.end(), is_place)) return false;
     const auto in_length = [](std::string_view cell) { return is_length(std::string(title_in(cell).unit)); };
     return cells.size() != 2 || !std::all_of(cells.begin(), cells.end(), in_length);
 }

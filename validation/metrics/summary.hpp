@@ -113,8 +113,11 @@ struct ValidationRow {
     std::string verdict;
 };
 
-/// A time origin of a run that was stated by hand and differs from what the run found.
-struct OriginDoubt {
+/// Why a run should not be trusted: a time origin stated by hand that differs from what the run found, or the
+/// state of its flow.
+struct RunDoubt {
+    enum class About { time_origin, flow };
+    About about = About::time_origin;
     std::string scene, variant;
     double dx = 0;
     std::string overrides;  ///< of the run, as given with --set
@@ -241,7 +244,7 @@ struct Summary {
     std::vector<SensitivityRow> sensitivity;
     std::vector<AblationRow> ablation;
     std::vector<StressRow> stress;
-    std::vector<OriginDoubt> doubts;
+    std::vector<RunDoubt> doubts;
     std::vector<std::string> missing;  ///< runs that the tier asks for and the directory lacks
 };
 

@@ -44,13 +44,23 @@ std::string read_unit(const TomlTable& table, const QuantitySpec& q) {
     }
 }
 
+/// The instant at which a profile is taken; no other series has one.
+std::optional<double> read_instant(const TomlTable& table, const std::string& series,
+                                   const SeriesUnits& units) {
+    const bool profile = units.x.series == "m";
+    if (profile == table.has("instant")) return table.optional_number("instant");
+    table.fail("instant", profile
+                              ? fmt::format("missing: series '{}' is a profile, taken at one instant", series)
+                              : fmt::format("expected none: series '{}' is no profile", series));
+}
+
 QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     QuantitySpec q;
     q.name = table.text("name");
     q.metric = &metric_named(table.choice("metric", metric_names()));
     q.series = table.text("series");
     q.units = axes.read(table, q.series, q);
-    q.instant = table.optional_number("instant");
+    q.instant = read_instant(table, q.series, q.units);
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
     q.reference = read_reference(table, table.text_or("reference", ""));
@@ -93,10 +103,10 @@ ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
     c.y_column = table.text("y_column");
     c.units = axes.read(table, c.quantity, c);
     c.y_offset = table.number_or("y_offset", 0);
-    c.instant = table.optional_number("instant");
+    c.align_peaks = aligns_peaks(table);
+    c.instant = read_instant(table, c.quantity, c.units);
     c.window = window(table);
     c.tolerance = table.positive("tolerance");
-    c.align_peaks = aligns_peaks(table);
     c.x_label = table.text_or("x_label", c.x_column);
     c.y_label = table.text_or("y_label", c.y_column);
     table.finish();

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "solver/setup/body_outline.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/time/time_step.hpp"
+#include "validation/scene/asked_axes.hpp"
 #include "validation/scene/expected_motion.hpp"
 #include "validation/scene/unused_values.hpp"
 
@@ -60,6 +62,9 @@ void doubt_ingredients(const Scene& scene, Doubts& found) {
 
 void doubt_gravity(const Scene& scene, Doubts& found) {
     const Vec2& g = scene.model.gravity;
+    if (g.x() != 0 && std::abs(g.x()) <= std::abs(g.y()))
+        found.push_back(fmt::format("gravity is tilted by {:.3g} degrees: level water does not start at rest",
+                                    std::atan(std::abs(g.x() / g.y())) * 180 / std::numbers::pi));
     if (g.y() > 0) found.push_back(fmt::format("gravity points up: [{:.4g}, {:.4g}] m/s2", g.x(), g.y()));
     if (std::abs(g.x()) > std::abs(g.y()))
         found.push_back(fmt::format("gravity points sideways: [{:.4g}, {:.4g}] m/s2", g.x(), g.y()));
@@ -100,6 +105,38 @@ void doubt_initial(const Scene& scene, Doubts& found) {
             fmt::format("the column of water is {:.4g} m wide and {:.4g} m high: the pressure after "
                         "Greco is that of a long column",
                         width, surface));
+}
+
+/// Air of a scene with air fills what water and bodies leave of the tank, or rushes into the rest.
+void doubt_empty_space(const Scene& scene, Doubts& found) {
+    if (!scene.air) return;
+    std::set<double> xs = {scene.tank.low.x(), scene.tank.high.x()};
+    std::set<double> ys = {scene.tank.low.y(), scene.tank.high.y()};
+    std::vector<Box> boxes = scene.water_boxes;
+    boxes.insert(boxes.end(), scene.air_boxes.begin(), scene.air_boxes.end());
+    for (const Box& box : boxes) {
+        xs.insert({box.low.x(), box.high.x()});
+        ys.insert({box.low.y(), box.high.y()});
+    }
+    double empty = 0;
+    for (auto x = xs.begin(); std::next(x) != xs.end(); ++x) {
+        for (auto y = ys.begin(); std::next(y) != ys.end(); ++y) {
+            const Vec2 low(*x, *y), high(*std::next(x), *std::next(y)), middle = 0.5 * (low + high);
+            const auto holds = [&](const Box& box) {
+                return (middle - box.low).minCoeff() > 0 && (box.high - middle).minCoeff() > 0;
+            };
+            const auto covers = [&](const BodySpec& body) { return distance_to(body.outline, middle) < 0; };
+            if (std::any_of(boxes.begin(), boxes.end(), holds)) continue;
+            if (std::any_of(scene.bodies.begin(), scene.bodies.end(), covers)) continue;
+            empty += (high - low).prod();
+        }
+    }
+    const double share = empty / (scene.tank.high - scene.tank.low).prod();
+    if (share > 0.001)
+        found.push_back(
+            fmt::format("the boxes of water and air leave {:.3g} % of the tank empty: air beside it "
+                        "flows into a vacuum",
+                        100 * share));
 }
 
 void doubt_mass(const BodySpec& spec, double water_density, Doubts& found) {
@@ -151,12 +188,15 @@ std::vector<std::string> doubtful(const Scene& scene) {
     doubt_gravity(scene, found);
     doubt_ingredients(scene, found);
     doubt_initial(scene, found);
+    doubt_empty_space(scene, found);
     for (const BodySpec& spec : scene.bodies)
         doubt_mass(spec, scene.model.water.eos.reference_density, found);
     for (std::string& text : motions_out_of_tank(scene)) found.push_back(std::move(text));
     doubt_times(scene, found);
     for (const Probe& probe : scene.probes)
         found.insert(found.end(), probe.doubts.begin(), probe.doubts.end());
+    for (std::string& text : unreached_times(scene)) found.push_back(std::move(text));
+    for (std::string& text : scales_of_two_dimensions(scene)) found.push_back(std::move(text));
     for (std::string& text : unused_values(scene)) found.push_back(std::move(text));
     return found;
 }

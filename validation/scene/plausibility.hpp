@@ -13,13 +13,15 @@ namespace wetdeck {
 /// One line for each of these:
 /// - the water's sound speed is below ten times the fastest speed to expect (expected_motion.hpp): it is
 ///   compressed by more than 1 %;
-/// - gravity points up or sideways or is larger than 20 m/s^2; water that is lighter than air;
+/// - gravity points up or sideways, is tilted or larger than 20 m/s^2; water that is lighter than air;
+/// - a part of the tank that neither water nor air nor a body fills, in a scene with air;
 /// - initial.surface is not the top of any water; a column for the pressure of Greco that is higher than
 /// wide;
 /// - a body that can move is more than 30 times heavier or 60 times lighter than the water it would displace,
 ///   or its inertia is beyond ten times or below a tenth of that of even density;
 /// - a motion that is given leads a body out of the tank;
 /// - fewer than fifty samples, or frames after the end;
+/// - windows and instants that the run does not reach, plain scales of two dimensions (asked_axes.hpp);
 /// - the doubts of its probes;
 /// - a background pressure above half of the air's own stiffness;
 /// - values that nothing uses (unused_values.hpp).

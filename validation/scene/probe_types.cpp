@@ -63,14 +63,13 @@ Face read_face(const TomlTable& table, const Scene& scene) {
             table.fail(key,
                        fmt::format("lies {:.3g} m off the outline of {}", off(point(table, key)), body.name));
     }
-    for (const double share : midpoints(0, 1, 64)) {
-        const Vec2 between = from + share * (to - from);
-        if (off(between) > face_tolerance)
-            table.fail("to",
-                       fmt::format("the line from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) leaves the outline "
-                                   "of {} by {:.3g} m: expected two points of one straight face",
-                                   from.x(), from.y(), to.x(), to.y(), body.name, off(between)));
-    }
+    double farthest = 0;
+    for (const double share : midpoints(0, 1, 64))
+        farthest = std::max(farthest, off(from + share * (to - from)));
+    if (farthest > face_tolerance)
+        table.fail("to", fmt::format("the line from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) leaves the outline "
+                                     "of {} by {:.3g} m: expected two points of one straight face",
+                                     from.x(), from.y(), to.x(), to.y(), body.name, farthest));
     return {number, from, to, {body.at_start(from), body.at_start(to)}};
 }
 
@@ -165,6 +164,28 @@ Probe face_pressure(const TomlTable& table, const Scene& scene) {
     return probe;
 }
 
+/// Whether a ray from a point meets a box.
+bool ray_meets(Vec2 from, Vec2 direction, const Box& box) {
+    double enters = 0, leaves = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 2; ++axis) {
+        const double a = (box.low[axis] - from[axis]) / direction[axis];
+        const double b = (box.high[axis] - from[axis]) / direction[axis];
+        enters = std::max(enters, std::fmin(a, b));
+        leaves = std::min(leaves, std::fmax(a, b));
+    }
+    return enters < leaves;
+}
+
+/// Whether water lies in front of a face at the start.
+bool sees_water(const Face& face, Vec2 outwards, const Scene& scene) {
+    for (const double share : midpoints(0, 1, 64)) {
+        const Vec2 point = face.place.begin + share * (face.place.end - face.place.begin);
+        for (const Box& box : scene.water_boxes)
+            if (ray_meets(point, outwards, box)) return true;
+    }
+    return false;
+}
+
 /// In front of the face is the fluid, whichever end the file names first.
 Probe air_film(const TomlTable& table, const Scene& scene) {
     const Face face = read_face(table, scene);
@@ -172,8 +193,14 @@ Probe air_film(const TomlTable& table, const Scene& scene) {
     Vec2 from = body.in_body_frame(face.from), to = body.in_body_frame(face.to);
     const Vec2 middle = body.origin + 0.5 * (face.from + face.to);
     if (along_with_fluid_on_right(body.outline, middle).dot(to - from) < 0) std::swap(from, to);
+    const Vec2 along = (to - from).normalized();
     Probe probe;
     probe.place = face.place;
+    if (!sees_water(face, body.body.axes() * Vec2(along.y(), -along.x()), scene))
+        probe.doubts.push_back(
+            fmt::format("{}: no water is in front of the face at the start: air_film reads "
+                        "the tank's diagonal while that is so",
+                        table.place_of("from")));
     probe.sample = scalar_reading(
         [=, number = face.body](const Simulation& s) { return gap_to_water(s, number, from, to); });
     return probe;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Slips that make a sound scene file of another meaning.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "tests/unit/scene/scene_samples.hpp"
@@ -128,6 +129,9 @@ TEST_CASE("absurd values are doubted") {
     const std::vector<std::pair<std::vector<std::string>, std::string>> table = {
         {{"gravity=[0.0, 9.81]"}, "gravity points up"},
         {{"gravity=[-9.81, 0.0]"}, "gravity points sideways"},
+        {{"gravity=[1.0, -9.81]"}, "gravity is tilted by 5.82 degrees"},
+        {{"air.boxes=[[0.4, 0.0, 1.0, 0.2], [0.0, 0.25, 1.0, 0.48]]"}, "leave 10.4 % of the tank empty"},
+        {{"air.boxes=[[0.6, 0.3, 1.0, 0.48]]"}, "of the tank empty"},
         {{"gravity=[0.0, -981.0]"}, "gravity is 981 m/s2"},
         {{"initial.surface=0.3"}, "initial.surface is 0.3 m, but the top of the water is at 0.2 m"},
         {{"initial.surface=0.19"}, "initial.surface is 0.19 m"},
@@ -158,8 +162,61 @@ TEST_CASE("absurd values are doubted") {
 TEST_CASE("what only looks like one of these slips is not doubted") {
     for (const std::vector<std::string>& good :
          {std::vector<std::string>{"water.boxes=[[0.0, 0.0, 0.4, 0.1], [0.0, 0.1, 0.4, 0.2]]"},
-          {"water.boxes=[[0.0, 0.0, 0.2, 0.2], [0.2, 0.0, 0.4, 0.1]]", "air.boxes=[[0.6, 0.3, 1.0, 0.48]]"},
+          {"water.boxes=[[0.0, 0.0, 0.2, 0.2], [0.2, 0.0, 0.4, 0.1]]",
+           "air.boxes=[[0.4, 0.0, 1.0, 0.2], [0.2, 0.1, 0.4, 0.2], [0.0, 0.2, 1.0, 0.48]]"},
           {"body.free=[\"x\"]", "body.velocity_y=0.5"},
           {"body.free=[\"rotation\"]", "body.inertia=0.03"}})
         CHECK(doubts_of(good).empty());
+}
+
+TEST_CASE("a window or an instant that the run does not reach is doubted") {
+    // scales.time is 0.1428 s, the run ends at 0.2 s
+    const std::vector<std::array<std::string, 3>> table = {
+        {"window = [0.2, 0.8]", "window = [2.0, 3.0]",
+         "'front_mean' has the window 0.2856 to 0.4284 s, after"},
+        {"window = [0.2, 0.8]", "window = [0.2, 1.6]", "has the window 0.02856 to 0.22848 s, beyond the end"},
+        {"window = [0.2, 0.8]", "window = [0.2, 0.8]\nx_origin = \"release\"",
+         "0.17856 to 0.26424 s, beyond"},
+        {"window = [0.0, 1.0]", "window = [1.5, 2.0]",
+         "comparison 'front' has the window 0.2142 to 0.2856 s"},
+        {"metric = \"mean\"", "metric = \"value_at\"\nthreshold = 2.0",
+         "is taken at 0.2856 s, after the end"},
+        {"metric = \"mean\"", "metric = \"maximum\"\nthreshold = 9.0", ""},
+        {"window = [0.2, 0.8]", "window = [0.2, 1.4]", ""},
+        {"window = [0.0, 1.0]", "window = [0.0, 3.0]", ""},
+        {"series = \"front\"\nx_scale = \"time\"", "series = \"film\"\ninstant = 0.3",
+         "is taken at the instant 0.3 s"},
+        {"series = \"front\"\nx_scale = \"time\"", "series = \"film\"\ninstant = 0.1", ""}};
+    for (const auto& [piece, instead, doubt] : table) {
+        std::string text = samples::with(piece, instead);
+        if (instead.find("film") != std::string::npos)
+            text = samples::replaced(text, "[[quantities]]",
+                                     "[[probes]]\nname = \"film\"\ntype = \"free_surface\"\nlow = "
+                                     "0.0\nhigh = 1.0\npoints = 11\n\n[[quantities]]");
+        if (instead.find("release") != std::string::npos)
+            text = samples::replaced(text, "[scales]", "[time_origins]\nrelease = 0.15\n\n[scales]");
+        const std::vector<std::string> doubts = doubtful(parse_scene(text, "small.toml"));
+        CAPTURE(instead, doubts);
+        REQUIRE(doubts.size() == (doubt.empty() ? 0 : 1));
+        if (!doubt.empty()) CHECK_THAT(doubts[0], Contains(doubt));
+    }
+}
+
+TEST_CASE("a plain scale of two dimensions is doubted") {
+    const auto doubts = [](const std::string& x, const std::string& y) {
+        std::string text = samples::with("[scales]\n", "[scales]\nmilli = 0.001\nkilo = \"1 kPa\"\n");
+        text = samples::replaced(text, "x_scale = \"time\"\ny_scale = \"length\"",
+                                 "x_scale = \"" + x + "\"\ny_scale = \"" + y + "\"");
+        return doubtful(
+            parse_scene(samples::replaced(text, "window = [0.2, 0.8]", "window = [0.2, 0.4]"), "small.toml"));
+    };
+    CHECK(doubts("time", "length").empty());
+    for (const auto& [x, y] : {std::pair("length", "length"), std::pair("time", "time"),
+                               std::pair("milli", "milli"), std::pair("length", "time")}) {
+        CAPTURE(x, y);
+        const auto found = doubts(x, y);
+        REQUIRE_FALSE(found.empty());
+        CHECK_THAT(found[0], Contains("is a plain number and divides values in") && Contains(" in s") &&
+                                 Contains(" in m"));
+    }
 }

@@ -133,6 +133,10 @@ TEST_CASE("the gap in front of a face does not depend on the order of its ends o
                 scene.probes.back().sample(assemble(scene, 0.04, 1), gap);
                 CAPTURE(face.from, face.to, corners, turned);
                 CHECK(gap.at(0) == Approx(face.gap));
+                const std::vector<std::string>& doubts = scene.probes.back().doubts;
+                REQUIRE(doubts.size() == (face.gap == none ? 1 : 0));
+                if (!doubts.empty())
+                    CHECK_THAT(doubts[0], Contains("probes[3].from") && Contains("no water is in front"));
             }
         }
     }

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "validation/scene/asked_axes.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+
+#include "validation/metrics/resample.hpp"
+#include "validation/metrics/units.hpp"
+
+namespace wetdeck {
+namespace {
+
+/// What one quantity or comparison asks of the time of a run.
+struct Asked {
+    std::string name;
+    const SeriesScaling& scaling;
+    const SeriesUnits& units;
+    std::optional<Window> window;
+    std::optional<double> abscissa;  ///< of a metric at one place of the scaled abscissa
+    bool whole_window = false;
+};
+
+std::vector<Asked> all_asked(const AnalysisSpec& spec) {
+    std::vector<Asked> all;
+    for (const QuantitySpec& q : spec.quantities) {
+        const bool at = std::string(q.metric->name) == "value_at";
+        all.push_back({fmt::format("quantity '{}'", q.name), q, q.units, q.window,
+                       at ? q.threshold : std::nullopt, q.metric->needs.whole_window});
+    }
+    for (const ComparisonSpec& c : spec.comparisons)
+        all.push_back({fmt::format("comparison '{}'", c.title), c, c.units,
+                       c.align_peaks ? std::nullopt : c.window, std::nullopt, false});
+    return all;
+}
+
+std::optional<std::string> unreached(const Asked& asked, double end_time) {
+    const double end = (1 + 1e-9) * end_time;
+    if (asked.scaling.instant && *asked.scaling.instant > end)
+        return fmt::format("{} is taken at the instant {:.6g} s, after the end of the run at {:.6g} s",
+                           asked.name, *asked.scaling.instant, end_time);
+    if (asked.units.x.series != "s" || asked.scaling.event) return std::nullopt;
+    const auto on_clock = [&](double x) { return asked.scaling.x_offset + x * asked.scaling.x_scale; };
+    if (asked.abscissa && on_clock(*asked.abscissa) > end)
+        return fmt::format("{} is taken at {:.6g} s, after the end of the run at {:.6g} s", asked.name,
+                           on_clock(*asked.abscissa), end_time);
+    if (!asked.window) return std::nullopt;
+    const double from = on_clock(asked.window->begin), to = on_clock(asked.window->end);
+    const double reached = (end - from) / (to - from);
+    if (reached > (asked.whole_window ? required_coverage : 0)) return std::nullopt;
+    return fmt::format("{} has the window {:.6g} to {:.6g} s, {} the end of the run at {:.6g} s", asked.name,
+                       from, to, reached > 0 ? "beyond" : "after", end_time);
+}
+
+}  // namespace
+
+std::vector<std::string> unreached_times(const Scene& scene) {
+    std::vector<std::string> found;
+    for (const Asked& asked : all_asked(scene.analysis))
+        if (auto text = unreached(asked, scene.end_time)) found.push_back(std::move(*text));
+    return found;
+}
+
+std::vector<std::string> scales_of_two_dimensions(const Scene& scene) {
+    std::map<std::string, std::string> unit_of;  // of the first use, by scale
+    std::map<std::string, std::string> found;    // one sentence a scale
+    const auto add = [&](const AxisUnits& axis) {
+        if (axis.scale.empty() || !axis.scale_unit.empty() || axis.series.empty() || axis.series == "-")
+            return;
+        const auto [use, is_new] = unit_of.emplace(axis.scale, axis.series);
+        if (is_new || same_dimension(unit_named(use->second), unit_named(axis.series))) return;
+        found.emplace(axis.scale,
+                      fmt::format("scales.{} is a plain number and divides values in {} and in {}: give it a "
+                                  "unit, as in \"0.6 m\"",
+                                  axis.scale, use->second, axis.series));
+    };
+    for (const Asked& asked : all_asked(scene.analysis)) {
+        add(asked.units.x);
+        add(asked.units.y);
+    }
+    std::vector<std::string> sentences;
+    for (auto& [scale, text] : found) sentences.push_back(std::move(text));
+    return sentences;
+}
+
+}  // namespace wetdeck

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where quantities and comparisons of a scene ask for times that its runs do not reach, or divide by one
+// plain number what has two dimensions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/scene/scene.hpp"
+
+namespace wetdeck {
+
+/// One line for each quantity and comparison of the variant whose window, threshold or instant lies after
+/// the end of the run, wholly, or by more than a metric of the whole window bears. Times that count from an
+/// event are not known before the run and pass.
+std::vector<std::string> unreached_times(const Scene& scene);
+
+/// One line for each plain scale that divides values of two dimensions, such as seconds and pascals.
+std::vector<std::string> scales_of_two_dimensions(const Scene& scene);
+
+}  // namespace wetdeck
