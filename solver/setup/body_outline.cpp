@@ -238,6 +238,23 @@ void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline&
     }
 }
 
+Outline corners_of(Box box) {
+    return {box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}};
+}
+
+AreaMoments area_left(Box box, const std::vector<Outline>& outlines) {
+    MultiPolygon left = {polygon_of(corners_of(box))};
+    for (const Outline& outline : outlines) {
+        MultiPolygon rest;
+        bg::difference(left, polygon_of(outline), rest);
+        left = std::move(rest);
+    }
+    Point centroid(box.low.x(), box.low.y());
+    const double area = bg::area(left);
+    if (area > 0) bg::centroid(left, centroid);
+    return {area, {centroid.x(), centroid.y()}, 0};
+}
+
 void clear_fluid(FluidParticles& fluid, const Outline& outline, double particle_spacing) {
     constexpr double clearance = 0.49;  // spacings: a lattice that fits the body keeps its half
     const Polygon polygon = polygon_of(outline);

@@ -41,6 +41,12 @@ struct AreaMoments {
 /// Of the area inside the outline.
 AreaMoments area_moments(const Outline& outline);
 
+/// The corners of a box, counter-clockwise.
+Outline corners_of(Box box);
+
+/// What the outlines leave of a box: area and centroid, no second moment.
+AreaMoments area_left(Box box, const std::vector<Outline>& outlines);
+
 /// Appends the layers of body number `body` to `walls`, as deep as the kernel's support or as the body is
 /// thick.
 /// @param walls             the tank's walls and the bodies before

@@ -12,6 +12,7 @@
 #include "solver/probes/energy.hpp"
 #include "solver/probes/front.hpp"
 #include "solver/probes/pressure.hpp"
+#include "solver/setup/cut_cells.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
 #include "validation/run/recorders.hpp"
@@ -55,6 +56,14 @@ std::string fitting_text(const Scene& scene, double particle_spacing) {
     return fmt::format("; the nearest that fit all boxes: {} m", fmt::join(found, " and "));
 }
 
+/// Only water is under a pressure at the start that a gap beside a body would relieve.
+bool any_starts_in_water(const Scene& scene) {
+    for (const BodySpec& body : scene.bodies)
+        for (const Box& box : scene.water_boxes)
+            if (overlap(body.outline, corners_of(box))) return true;
+    return false;
+}
+
 FluidParticles fill(const Scene& scene, double particle_spacing) {
     FluidParticles fluid;
     const Model& model = scene.model;
@@ -68,7 +77,13 @@ FluidParticles fill(const Scene& scene, double particle_spacing) {
     } catch (const InputError& error) {
         throw InputError(error.what() + fitting_text(scene, particle_spacing));
     }
-    for (const BodySpec& body : scene.bodies) clear_fluid(fluid, body.outline, particle_spacing);
+    std::vector<Outline> outlines;
+    for (const BodySpec& body : scene.bodies) outlines.push_back(body.outline);
+    if (any_starts_in_water(scene)) {
+        cut_cells(fluid, outlines, particle_spacing);
+    } else {
+        for (const Outline& outline : outlines) clear_fluid(fluid, outline, particle_spacing);
+    }
     return fluid;
 }
 
