@@ -147,6 +147,7 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
     }
     if (cluster.wall_neighbours > 0 && water_weight > 0) {
         WallSums walls = wall_sum<terms>(in, i, wall_neighbours(*in.blocks, cluster));
+        if (in.model->wall_velocity == WallVelocity::own) walls.rate = 0.5 * walls.rate;
         if (const double half_slowness = in.wall_pair[phase_i].jump_half_slowness; half_slowness > 0)
             walls.rate += wall_jump_sum(in, i, wall_neighbours(*in.blocks, cluster), half_slowness);
         sums.rate += water_weight * in.wall_volume * walls.rate;

@@ -9,6 +9,9 @@
 // both phases (shepard, as in Yang et al.), or over the water and for the water only (shepard_water), with
 // pairwise pressures for the air.
 //
+// Eq. (17) prints the wall's own normal velocity as u_R (own), so that u* is halfway between fluid and wall
+// and half of the approach is felt.
+//
 // Along the face the wall moves with the water around it (mirrored), so that flow that stretches along the
 // wall has its full divergence there; with the reversed normal velocity alone (normal) the missing half of
 // the support loses it. This share fades out close to the face, where it would let thin jets through the
@@ -20,7 +23,7 @@
 namespace wetdeck {
 
 enum class WallSlip { free, no };
-enum class WallVelocity { normal, mirrored };
+enum class WallVelocity { own, normal, mirrored };
 enum class WallPressure { one_sided, shepard, shepard_water };
 /// Mean of the pressures of a fluid and a boundary particle in P*.
 enum class WallPairMean { arithmetic, harmonic };

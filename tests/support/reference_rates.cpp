@@ -204,7 +204,9 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         const double star = model.wall_pressure_jump ? model.pressure_diffusion * (p.pressure - one_sided) /
                                                            (2 * p.density * side.eos.sound_speed)
                                                      : 0;
-        sums.compression += slope * (edge ? velocity.dot(e) - star : (velocity.dot(n) + star) * n.dot(e));
+        const double felt = model.wall_velocity == WallVelocity::own ? 0.5 : 1;
+        sums.compression +=
+            slope * (edge ? felt * velocity.dot(e) - star : (felt * velocity.dot(n) + star) * n.dot(e));
         if (offset.norm() < closest) {  // its face is the particle's own
             closest = offset.norm();
             nearest = edge ? closest : offset.dot(n);

@@ -209,11 +209,12 @@ std::vector<ModelKey> rows() {
         removable(number("wall_dissipation", &Model::wall_dissipation, {0, unbounded},
                          "slope of the limiter of the dissipation normal to walls"),
                   "wall dissipation", 0.0),
-        removable(
-            choice("wall_velocity", &Model::wall_velocity, {"normal", "mirrored"},
-                   "walls reverse the normal velocity alone, or move along their face with the water, too",
-                   "Eqs. (16)-(18)"),
-            "mirrored wall velocity", std::string("normal")),
+        removable(choice("wall_velocity", &Model::wall_velocity, {"own", "normal", "mirrored"},
+                         "u_R at walls: the wall's own normal velocity as printed, the fluid's reversed "
+                         "about it, or that "
+                         "and along the face the velocity of the water",
+                         "Eqs. (16)-(18)"),
+                  "mirrored wall velocity", std::string("normal")),
         removable(
             choice(
                 "wall_pressure", &Model::wall_pressure, {"one-sided", "shepard", "shepard-water"},

@@ -94,6 +94,7 @@ const std::vector<Ingredient>& ingredients() {
         {"Shepard wall pressure of both phases", [](Model& m) { m.wall_pressure = WallPressure::shepard; }},
         {"walls without the velocity along their face",
          [](Model& m) { m.wall_velocity = WallVelocity::normal; }},
+        {"walls with their own normal velocity", [](Model& m) { m.wall_velocity = WallVelocity::own; }},
         {"mirrored walls with one-sided pressure",
          [](Model& m) {
              m.wall_velocity = WallVelocity::mirrored;
