@@ -22,10 +22,10 @@ using Touches = std::vector<Touch>;
 struct Side {
     Vec2 from, to, outwards;
 
-    double distance2(Vec2 point) const {
+    double distance(Vec2 point) const {
         const Vec2 along = to - from;
         const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-        return (point - from - t * along).squaredNorm();
+        return (point - from - t * along).norm();
     }
     /// Whether a ray from the point to the left crosses it.
     bool crosses_ray(Vec2 point) const {
@@ -55,30 +55,46 @@ bool inside(const std::vector<Side>& sides, Vec2 point) {
     return odd;
 }
 
-/// Adds the corners of one outline that are inside another or closer to it than `margin`. Such a corner has
-/// come through a side that faces one of its own two sides; of these sides the nearest pushes it. `sign`
-/// turns the push on the corner into that on the first body of the pair.
+/// The way out of a body for a corner.
+struct WayOut {
+    Vec2 normal = Vec2::Zero();  ///< of the side through which the corner came, or the mean of two
+    double distance = std::numeric_limits<double>::infinity();  ///< [m]
+};
+
+/// A corner has come through a side that faces one of the two sides beside it, near and squarely: the least
+/// distance over the cosine of the angle between their normals tells. Where two sides are as likely, at a
+/// corner that meets a corner, the way leads between them.
+WayOut way_out(const Side& before, const Side& after, const std::vector<Side>& other) {
+    constexpr double parallel = 1e-9, alike = 1e-6;
+    WayOut way;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Side& side : other) {
+        const double cosine =
+            -std::min(side.outwards.dot(before.outwards), side.outwards.dot(after.outwards));
+        if (cosine < parallel) continue;
+        const double distance = side.distance(after.from), score = distance / cosine;
+        if (score > (1 + alike) * least) continue;
+        if (score < (1 - alike) * least) way = {Vec2::Zero(), distance};
+        way.normal += side.outwards;
+        least = std::min(least, score);
+    }
+    way.normal.normalize();
+    return way;
+}
+
+/// Adds the corners of one outline that are inside another or closer to it than `margin`. `sign` turns the
+/// push on the corner into that on the first body of the pair.
 void add_corners(const std::vector<Side>& own, const std::vector<Side>& other, double margin, double sign,
                  Touches& touches) {
-    constexpr double facing = -1e-9;
     for (std::size_t k = 0; k < own.size(); ++k) {
         const Side &after = own[k], &before = own[(k + own.size() - 1) % own.size()];
-        const Side* through = nullptr;
-        double nearest2 = std::numeric_limits<double>::infinity();
-        for (const Side& side : other) {
-            const double distance2 = side.distance2(after.from);
-            if (distance2 >= nearest2 ||
-                (side.outwards.dot(after.outwards) > facing && side.outwards.dot(before.outwards) > facing))
-                continue;
-            nearest2 = distance2;
-            through = &side;
-        }
-        if (!through) continue;
+        const WayOut way = way_out(before, after, other);
+        if (!std::isfinite(way.distance)) continue;
         // a corner on the line of a side is inside if the body behind the corner is
         const double nudge = 1e-9 * (after.to - after.from).norm();
         const bool behind = inside(other, after.from - nudge * (after.outwards + before.outwards));
-        if (!behind && nearest2 >= margin * margin) continue;
-        touches.push_back({after.from, sign * through->outwards, (behind ? 1 : -1) * std::sqrt(nearest2)});
+        if (!behind && way.distance >= margin) continue;
+        touches.push_back({after.from, sign * way.normal, (behind ? 1 : -1) * way.distance});
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace wetdeck {
@@ -69,10 +68,12 @@ Vec2 clear_of(const std::vector<Outline>& outlines, Vec2 point, double particle_
     return point;
 }
 
-/// Adds a small cell to the nearest one of its phase that is kept.
-void join(const Cell& small, Phase phase, const FluidParticles& fluid, std::map<std::size_t, Cell>& cells) {
+/// Adds a small cell to the nearest one of its phase that is kept, if there is one beside it: a slit narrower
+/// than half a spacing holds no fluid.
+void join(const Cell& small, Phase phase, const FluidParticles& fluid, double particle_spacing,
+          std::map<std::size_t, Cell>& cells) {
     Cell* nearest = nullptr;
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = 1.5 * particle_spacing;
     for (auto& [i, cell] : cells) {
         if (cell.share < kept || fluid.phase(i) != phase) continue;
         const double there = (fluid.state[i].position() - small.centroid).norm();
@@ -91,7 +92,8 @@ void join(const Cell& small, Phase phase, const FluidParticles& fluid, std::map<
 void cut_cells(FluidParticles& fluid, const std::vector<Outline>& outlines, double particle_spacing) {
     std::map<std::size_t, Cell> cells = cells_near(fluid, outlines, particle_spacing);
     for (const auto& [i, cell] : cells)
-        if (cell.share < kept && cell.share > 1 - whole) join(cell, fluid.phase(i), fluid, cells);
+        if (cell.share < kept && cell.share > 1 - whole)
+            join(cell, fluid.phase(i), fluid, particle_spacing, cells);
     FluidParticles left;
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const double density = fluid.state[i].density;

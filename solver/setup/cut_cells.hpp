@@ -5,8 +5,8 @@
 // starts under pressure runs into them, and until they are filled, some tens of milliseconds later, the
 // pressure on the body is a small part of the right one. So each particle takes what the bodies leave of its
 // square cell: its mass follows from that area, and it moves to the centroid. A cell that keeps less than
-// half joins the nearest one that keeps more. The volume of the fluid is then exact, cell by cell, and a
-// lattice that fits stays as it is.
+// half joins the nearest one that keeps more, or none where a slit is too narrow for any. The volume of the
+// fluid is then exact, cell by cell, and a lattice that fits stays as it is.
 #pragma once
 
 #include <vector>

@@ -62,7 +62,7 @@ Finding check_scene(const std::string& file) {
             if (spacings == spacings_of.end()) continue;
             for (const double dx : spacings->second) {
                 check_row(varied, tier, dx);
-                if (const auto doubt = doubtful_step(varied, dx)) add_once(found.doubts, *doubt);
+                for (const std::string& doubt : doubts_at_spacing(varied, dx)) add_once(found.doubts, doubt);
             }
         }
     }

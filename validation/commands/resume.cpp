@@ -7,6 +7,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
+#include "validation/commands/references.hpp"
 #include "validation/commands/run_outcome.hpp"
 #include "validation/run/stop_signal.hpp"
 #include "validation/store/run_directory.hpp"
@@ -47,6 +48,7 @@ int resume(const ResumeOptions& options) {
         return print_outcome(read_run(run_file(options.directory)), options.directory, options.verbosity);
     }
     const auto [scene, run] = interrupted_run(options.directory, options.until);
+    check_references(scene);
     return run_and_print(scene, run, options.resources, options.verbosity);
 }
 

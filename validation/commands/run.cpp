@@ -41,7 +41,7 @@ int run_command(const RunCommand& options) {
     RunOptions run;
     run.particle_spacing =
         options.choice.particle_spacing ? *options.choice.particle_spacing : finest_quick_spacing(scene);
-    for (const std::string& doubt : doubts_of_run(scene, run.particle_spacing))
+    for (const std::string& doubt : doubts_of_run(scene, run.particle_spacing, options.choice.until))
         fmt::print(stderr, "doubt: {}\n", doubt);
     run.until = options.choice.until;
     run.replace = options.replace;

@@ -72,7 +72,10 @@ MetricResult first_crossing(const MetricInput& in) {
     for (std::size_t i = 1; i < c.x.size(); ++i) {
         const double below = c.y[i - 1], above = c.y[i];
         if (below >= in.threshold || above < in.threshold) continue;
-        return {std::lerp(c.x[i - 1], c.x[i], (in.threshold - below) / (above - below)), {}};
+        std::string note;
+        if (c.y.front() >= in.threshold)
+            note = fmt::format("starts above {:.6g}, and falls through it before it rises", in.threshold);
+        return {std::lerp(c.x[i - 1], c.x[i], (in.threshold - below) / (above - below)), note};
     }
     return {{}, fmt::format("does not rise through {:.6g}", in.threshold)};
 }

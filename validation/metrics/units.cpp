@@ -46,6 +46,21 @@ const std::map<std::string, std::string>& own_names() {
     return names;
 }
 
+/// Units at sea that udunits2 reads as a prefix and a unit: nano-miles, femtometres.
+void refuse_units_at_sea(const std::string& text) {
+    static const std::map<std::string, std::string> meant{{"nmi", "nautical_mile"}, {"fm", "fathom"}};
+    std::string word;
+    for (const char c : text + " ") {
+        if (std::isalpha(static_cast<unsigned char>(c)) || c == '_') {
+            word += c;
+            continue;
+        }
+        if (const auto found = meant.find(word); found != meant.end())
+            throw InputError(fmt::format("unknown unit '{}', expected {} in full", word, found->second));
+        word.clear();
+    }
+}
+
 /// The text with the word "deg", which the library does not know, in full.
 std::string with_degrees(std::string text) {
     const auto is_letter = [&](std::size_t at) {
@@ -152,6 +167,7 @@ Unit parsed(const std::string& text) {
 Unit unit_named(const std::string& text) {
     for (const NamedPowers& known : si_names)
         if (text == known.name) return {text, 1, known.powers};
+    refuse_units_at_sea(text);
     return parsed(text);
 }
 

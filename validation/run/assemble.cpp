@@ -16,6 +16,7 @@
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
 #include "validation/run/recorders.hpp"
+#include "validation/scene/wet_bodies.hpp"
 #include "validation/store/environment.hpp"
 
 namespace wetdeck {
@@ -58,10 +59,8 @@ std::string fitting_text(const Scene& scene, double particle_spacing) {
 
 /// Only water is under a pressure at the start that a gap beside a body would relieve.
 bool any_starts_in_water(const Scene& scene) {
-    for (const BodySpec& body : scene.bodies)
-        for (const Box& box : scene.water_boxes)
-            if (overlap(body.outline, corners_of(box))) return true;
-    return false;
+    return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                       [&](const BodySpec& body) { return starts_in_water(scene, body); });
 }
 
 FluidParticles fill(const Scene& scene, double particle_spacing) {

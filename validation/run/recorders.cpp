@@ -28,7 +28,10 @@ std::vector<double> mean_slopes(const Curve& curve, double width) {
 }  // namespace
 
 Recorders::Recorders(const Scene& scene, double particle_spacing)
-    : probes_(scene.probes), outlines_(local_outlines(scene)), level_(scene.initial.surface) {
+    : probes_(scene.probes),
+      outlines_(local_outlines(scene)),
+      water_(scene.water_boxes),
+      surface_(scene.initial.surface) {
     for (const Probe& probe : probes_) {
         if (probe.check) probe.check(particle_spacing);
         list_.push_back(probe.series);
@@ -46,7 +49,7 @@ void Recorders::sample(const Simulation& simulation, std::size_t number, std::ve
     const std::vector<double> last = std::exchange(values, {});
     for (const Probe& probe : probes_) probe.sample(simulation, values);
     for (std::size_t body = 0; body < outlines_.size(); ++body) {
-        const BodyNow now{simulation, simulation.bodies()[body], outlines_[body], level_};
+        const BodyNow now{simulation, simulation.bodies()[body], outlines_[body], water_, surface_};
         for (const BodySeries& each : recorded_body_series()) values.push_back(each.value(now));
     }
     const Balance fluid = balance(simulation);

@@ -28,7 +28,8 @@ class Recorders {
     std::vector<SeriesInfo> list_;
     std::vector<Probe> probes_;
     std::vector<Outline> outlines_;  ///< of the bodies, each in the frame of its body
-    double level_;                   ///< of the water at the start [m]
+    std::vector<Box> water_;         ///< at the start
+    double surface_;                 ///< of the water at the start [m]
 };
 
 /// Adds the forces and accelerations of the bodies, from their impulses and velocities, as means over the two

@@ -47,6 +47,9 @@ std::optional<std::string> unreached(const Asked& asked, double end_time) {
                            on_clock(*asked.abscissa), end_time);
     if (!asked.window) return std::nullopt;
     const double from = on_clock(asked.window->begin), to = on_clock(asked.window->end);
+    if (asked.whole_window && from < -(1 - required_coverage) * (to - from))
+        return fmt::format("{} has the window {:.6g} to {:.6g} s, before the start of the run", asked.name,
+                           from, to);
     const double reached = (end - from) / (to - from);
     if (reached > (asked.whole_window ? required_coverage : 0)) return std::nullopt;
     return fmt::format("{} has the window {:.6g} to {:.6g} s, {} the end of the run at {:.6g} s", asked.name,

@@ -40,6 +40,24 @@ bool names_other_length(std::string_view cell) {
     return lengths.contains(last == std::string_view::npos ? cell : cell.substr(last + 1));
 }
 
+/// Whether a title holds one of these words, whatever its case.
+bool names_any(std::string_view title, const std::set<std::string_view>& words) {
+    std::string word;
+    for (const char c : std::string(title) + " ") {
+        if (std::isalpha(static_cast<unsigned char>(c))) {
+            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        } else {
+            if (words.contains(word)) return true;
+            word.clear();
+        }
+    }
+    return false;
+}
+
+/// Titles of a height and of a breadth.
+const std::set<std::string_view> heights = {"y", "z", "height", "draught", "draft", "depth", "vertical"};
+const std::set<std::string_view> breadths = {"x", "breadth", "beam", "width", "horizontal", "offset"};
+
 /// Reads the lines of one file of corners.
 class CornerReader {
   public:
@@ -116,12 +134,8 @@ class CornerReader {
         if (titles_ > 0 && !(titles_ == 1 && units_alone)) lines_.fail("expected two numbers, x and y [m]");
         ++titles_;
         take_units(units);
-        const auto named = [&](std::size_t k, char axis) {
-            return cells[k].front() == axis &&
-                   (cells[k].size() == 1 || !std::isalnum(static_cast<unsigned char>(cells[k][1])));
-        };
-        if (cells.size() == 2 && named(0, 'y') && named(1, 'x'))
-            lines_.fail("names y before x, expected the columns x, y");
+        if (cells.size() == 2 && names_any(cells[0], heights) && names_any(cells[1], breadths))
+            lines_.fail(fmt::format("names '{}' before '{}', expected the columns x, y", cells[0], cells[1]));
         if (!units.empty()) return;
         for (const std::string_view cell : cells)
             if (names_other_length(cell))

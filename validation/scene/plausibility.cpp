@@ -15,6 +15,7 @@
 #include "validation/scene/asked_axes.hpp"
 #include "validation/scene/expected_motion.hpp"
 #include "validation/scene/unused_values.hpp"
+#include "validation/scene/wet_bodies.hpp"
 
 namespace wetdeck {
 namespace {
@@ -44,7 +45,42 @@ void doubt_fluids(const Scene& scene, Doubts& found) {
                                     air.reference_density, eos.reference_density));
 }
 
+/// Tonnes and metres, and a number typed for a sound speed that no water has.
+void doubt_units(const Scene& scene, Doubts& found) {
+    const TaitEquationOfState& eos = scene.model.water.eos;
+    if (eos.reference_density < 20 && scene.model.gravity.norm() > 5)
+        found.push_back(
+            fmt::format("water.density is {:.4g} kg/m3 under a gravity of {:.4g} m/s2: is it in t/m3?",
+                        eos.reference_density, scene.model.gravity.norm()));
+    if (eos.sound_speed > 2000)
+        found.push_back(
+            fmt::format("water.sound_speed is {:.4g} m/s, more than that of real water: the steps are "
+                        "shorter than any pressure needs",
+                        eos.sound_speed));
+}
+
+/// A half section from the keel to the deck, which the program closes by a side from the deck to the keel.
+void doubt_half_section(const BodySpec& body, Doubts& found) {
+    const auto x = [&](const Vec2& corner) { return corner.x() - body.origin.x(); };
+    constexpr double on_axis = 1e-9;
+    Vec2 keel = body.outline.front(), deck = body.outline.back();
+    if (x(keel) > on_axis) std::swap(keel, deck);
+    if (std::abs(x(keel)) > on_axis || x(deck) < on_axis) return;
+    for (const Vec2& corner : body.outline)
+        if (corner != keel && (x(corner) < on_axis || corner.y() < keel.y())) return;
+    found.push_back(
+        fmt::format("{}.outline lies on one side of its axis, with one end at the keel: closed by a side "
+                    "from deck to keel as it is; for a half section write mirrored = true",
+                    body.name));
+}
+
 void doubt_ingredients(const Scene& scene, Doubts& found) {
+    const double courant = scene.model.courant_number;
+    if (courant > 0.8 && !(scene.model.fixed_step > 0))
+        found.push_back(
+            fmt::format("model.courant_number is {:.4g}: beyond 0.8 even still water has wrong pressures "
+                        "(by 60 % at 0.9)",
+                        courant));
     const double background = scene.model.water.eos.background_pressure;
     if (!scene.air && background > 0)
         found.push_back(
@@ -180,6 +216,49 @@ void doubt_times(const Scene& scene, Doubts& found) {
     }
 }
 
+std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing) {
+    const double h = scene.model.smoothing_ratio * particle_spacing;
+    const TimeStep stable = stable_time_step(scene.model, h, {0, 0}, true, scene.air);
+    if (step_of(scene.model, stable).criterion != LimitingCriterion::fixed_beyond) return std::nullopt;
+    return fmt::format(
+        "model.fixed_step is {:.3g} s, {:.3g} times the stable step of {:.3g} s at the spacing {:.4g} m: the "
+        "run may become unstable or be wrong without a sign",
+        scene.model.fixed_step, scene.model.fixed_step / stable.size, stable.size, particle_spacing);
+}
+
+std::vector<std::string> narrow_gaps(const Scene& scene, double particle_spacing) {
+    std::vector<std::string> found;
+    const auto doubt = [&](const BodySpec& body, const std::string& what, double gap) {
+        if (gap > 0.1 * particle_spacing && gap < 1.99 * particle_spacing)
+            found.push_back(
+                fmt::format("{} starts {:.4g} m from {}, {:.3g} spacings: the water between them carries a "
+                            "part of its pressure only; expected at least two spacings, or less than a tenth "
+                            "of one, which no water enters",
+                            body.name, gap, what, gap / particle_spacing));
+    };
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const BodySpec& body = scene.bodies[b];
+        if (!starts_in_water(scene, body)) continue;
+        double left = std::numeric_limits<double>::infinity(), right = left, below = left;
+        for (const Vec2& corner : body.outline) {
+            left = std::min(left, corner.x() - scene.tank.low.x());
+            right = std::min(right, scene.tank.high.x() - corner.x());
+            below = std::min(below, corner.y() - scene.tank.low.y());
+        }
+        doubt(body, "the floor", below);
+        doubt(body, "the left wall", left);
+        doubt(body, "the right wall", right);
+        for (std::size_t o = 0; o < b; ++o) {
+            const Outline& other = scene.bodies[o].outline;
+            double gap = std::numeric_limits<double>::infinity();
+            for (const Vec2& corner : body.outline) gap = std::min(gap, distance_to(other, corner));
+            for (const Vec2& corner : other) gap = std::min(gap, distance_to(body.outline, corner));
+            doubt(body, scene.bodies[o].name, gap);
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<std::string> doubtful(const Scene& scene) {
@@ -191,6 +270,8 @@ std::vector<std::string> doubtful(const Scene& scene) {
     doubt_empty_space(scene, found);
     for (const BodySpec& spec : scene.bodies)
         doubt_mass(spec, scene.model.water.eos.reference_density, found);
+    for (const BodySpec& spec : scene.bodies) doubt_half_section(spec, found);
+    doubt_units(scene, found);
     for (std::string& text : motions_out_of_tank(scene)) found.push_back(std::move(text));
     doubt_times(scene, found);
     for (const Probe& probe : scene.probes)
@@ -204,30 +285,23 @@ std::vector<std::string> doubtful(const Scene& scene) {
 std::vector<std::string> remarks(const Scene& scene) {
     std::vector<std::string> all;
     for (const BodySpec& spec : scene.bodies) {
-        const auto wet = [&](const Vec2& corner) {
-            return std::any_of(scene.water_boxes.begin(), scene.water_boxes.end(), [&](const Box& box) {
-                return (corner - box.low).minCoeff() > 0 && (box.high - corner).minCoeff() > 0;
-            });
-        };
-        if (std::any_of(spec.outline.begin(), spec.outline.end(), wet))
-            all.push_back(fmt::format("{} starts in the water", spec.name));
+        if (starts_in_water(scene, spec)) all.push_back(fmt::format("{} starts in the water", spec.name));
     }
     return all;
 }
 
-std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing) {
-    const double h = scene.model.smoothing_ratio * particle_spacing;
-    const TimeStep stable = stable_time_step(scene.model, h, {0, 0}, true, scene.air);
-    if (step_of(scene.model, stable).criterion != LimitingCriterion::fixed_beyond) return std::nullopt;
-    return fmt::format(
-        "model.fixed_step is {:.3g} s, {:.3g} times the stable step of {:.3g} s at the spacing {:.4g} m: the "
-        "run may become unstable or be wrong without a sign",
-        scene.model.fixed_step, scene.model.fixed_step / stable.size, stable.size, particle_spacing);
+std::vector<std::string> doubts_at_spacing(const Scene& scene, double particle_spacing) {
+    std::vector<std::string> found = narrow_gaps(scene, particle_spacing);
+    if (auto step = doubtful_step(scene, particle_spacing)) found.push_back(std::move(*step));
+    return found;
 }
 
-std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing) {
-    std::vector<std::string> doubts = doubtful(scene);
-    if (auto step = doubtful_step(scene, particle_spacing)) doubts.push_back(std::move(*step));
+std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing,
+                                       std::optional<double> until) {
+    Scene asked = scene;
+    asked.end_time = until.value_or(scene.end_time);
+    std::vector<std::string> doubts = doubtful(asked);
+    for (std::string& text : doubts_at_spacing(scene, particle_spacing)) doubts.push_back(std::move(text));
     return doubts;
 }
 

@@ -22,17 +22,22 @@ namespace wetdeck {
 /// - a motion that is given leads a body out of the tank;
 /// - fewer than fifty samples, or frames after the end;
 /// - windows and instants that the run does not reach, plain scales of two dimensions (asked_axes.hpp);
+/// - a density in t/m^3, a sound speed beyond 2000 m/s, a Courant number beyond 0.8;
+/// - an outline that looks like a half section;
 /// - the doubts of its probes;
 /// - a background pressure above half of the air's own stiffness;
 /// - values that nothing uses (unused_values.hpp).
 std::vector<std::string> doubtful(const Scene& scene);
 
 /// A sentence where the scene's fixed time step exceeds the criteria of Eq. (26) at this spacing [m], even
-/// for fluid at rest.
-std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing);
+/// for fluid at rest, and for each body that starts in the water less than two spacings from the tank or
+/// another body: so thin a layer of particles carries a part of the pressure only.
+std::vector<std::string> doubts_at_spacing(const Scene& scene, double particle_spacing);
 
-/// All doubts about one run: of the scene, and of its step at this spacing [m].
-std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing);
+/// All doubts about one run: of the scene, and of this spacing [m].
+/// @param until  where the run ends instead of at the scene's end [s]
+std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing,
+                                       std::optional<double> until = std::nullopt);
 
 /// What is in order, but good to know: a body starts in the water.
 std::vector<std::string> remarks(const Scene& scene);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "solver/probes/front.hpp"
 #include "solver/probes/phase_defects.hpp"
@@ -23,10 +24,18 @@ std::vector<Vec2> corners(Body b) {
     return placed;
 }
 
+/// Height of the water at the start below or above x; of the scene's surface where there was none.
+double level_at(Body b, double x) {
+    std::optional<double> top;
+    for (const Box& box : b.water)
+        if (box.low.x() <= x && x <= box.high.x()) top = std::max(top.value_or(box.high.y()), box.high.y());
+    return top.value_or(b.surface);
+}
+
 double clearance(Body b) {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Vec2& corner : corners(b)) lowest = std::min(lowest, corner.y());
-    return lowest - b.level;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vec2& corner : corners(b)) least = std::min(least, corner.y() - level_at(b, corner.x()));
+    return least;
 }
 
 double water_gap(Body b) {
@@ -109,7 +118,7 @@ const std::vector<BodySeries>& recorded_body_series() {
         {{"body_work", "J/m", "work of the fluid on the body since the start"},
          [](Body b) { return b.body.work; }},
         {{"body_clearance", "m",
-          "height of the lowest point of the outline above the level of the water at the start"},
+          "least height of the corners of the outline above the level that the water had there at the start"},
          clearance},
         {{"body_water_gap", "m", "distance from the outline to the nearest water, less half a spacing"},
          water_gap}};

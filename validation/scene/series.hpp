@@ -45,7 +45,8 @@ struct BodyNow {
     const Simulation& simulation;
     const RigidBody& body;
     std::span<const Vec2> outline;  ///< corners, in the frame of the body [m]
-    double level;                   ///< of the water at the start [m]
+    std::span<const Box> water;     ///< boxes of the water at the start
+    double surface;                 ///< of the scene's water, where no box is [m]
 };
 
 /// A series of each body.

@@ -97,8 +97,10 @@ TEST_CASE("The first crossing is upward, interpolated and inside the window", "[
     QuantitySpec spec = spec_of("first_crossing");
     spec.threshold = 0.5;
     CHECK(evaluate(spec, run_with(wave)).value.value() == Approx(M_PI / 6).epsilon(1e-5));
+    CHECK(evaluate(spec, run_with(wave)).note.empty());
     spec.window = Window{1, 10};  // starts above the threshold: the next rise counts
     CHECK(evaluate(spec, run_with(wave)).value.value() == Approx(2 * M_PI + M_PI / 6).epsilon(1e-5));
+    CHECK(evaluate(spec, run_with(wave)).note == "starts above 0.5, and falls through it before it rises");
 }
 
 TEST_CASE("A threshold that is never reached leaves the quantity empty", "[quantities]") {

@@ -88,3 +88,12 @@ TEST_CASE("A rate of angle is no frequency, and a time no frequency turned round
     CHECK((unit_named("N/m") / unit_named("kg/m")).text == "m/s^2");
     CHECK((unit_named("N/m") * unit_named("s")).text == "N s/m");
 }
+
+TEST_CASE("units at sea that would be read as tiny lengths are refused by name", "[units]") {
+    for (const char* text : {"nmi", "nmi/h", "nmi h-1", "fm", "fm^2"})
+        CHECK_THROWS_WITH(unit_named(text), Contains("in full"));
+    CHECK(unit_named("nautical_mile").factor == Approx(1852));
+    CHECK(unit_named("fathom").factor == Approx(1.8288).epsilon(1e-4));
+    CHECK(unit_named("knot").factor == Approx(1852 / 3600.0));
+    CHECK(unit_named("nm").factor == Approx(1e-9));
+}

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Slips that make a sound scene file of another meaning.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -129,6 +131,13 @@ TEST_CASE("absurd values are doubted") {
     const std::vector<std::pair<std::vector<std::string>, std::string>> table = {
         {{"gravity=[0.0, 9.81]"}, "gravity points up"},
         {{"gravity=[-9.81, 0.0]"}, "gravity points sideways"},
+        {{"model.courant_number=0.9"}, "model.courant_number is 0.9: beyond 0.8"},
+        {{"water.density=1.025", "air.density=0.001"}, "is it in t/m3?"},
+        {{"water.sound_speed=2500"}, "more than that of real water"},
+        {{"body.position=[0.3, 0.0]", "body.outline=[[0.0, 0.3], [0.1, 0.35], [0.1, 0.4]]"},
+         "for a half section write mirrored = true"},
+        {{"body.position=[0.3, 0.0]", "body.outline=[[0.1, 0.4], [0.1, 0.35], [0.0, 0.3]]"},
+         "for a half section write mirrored = true"},
         {{"gravity=[1.0, -9.81]"}, "gravity is tilted by 5.82 degrees"},
         {{"air.boxes=[[0.4, 0.0, 1.0, 0.2], [0.0, 0.25, 1.0, 0.48]]"}, "leave 10.4 % of the tank empty"},
         {{"air.boxes=[[0.6, 0.3, 1.0, 0.48]]"}, "of the tank empty"},
@@ -181,6 +190,8 @@ TEST_CASE("a window or an instant that the run does not reach is doubted") {
          "comparison 'front' has the window 0.2142 to 0.2856 s"},
         {"metric = \"mean\"", "metric = \"value_at\"\nthreshold = 2.0",
          "is taken at 0.2856 s, after the end"},
+        {"window = [0.2, 0.8]", "window = [-0.5, 0.8]",
+         "has the window -0.0714 to 0.11424 s, before the start"},
         {"metric = \"mean\"", "metric = \"maximum\"\nthreshold = 9.0", ""},
         {"window = [0.2, 0.8]", "window = [0.2, 1.4]", ""},
         {"window = [0.0, 1.0]", "window = [0.0, 3.0]", ""},
@@ -218,5 +229,23 @@ TEST_CASE("a plain scale of two dimensions is doubted") {
         REQUIRE_FALSE(found.empty());
         CHECK_THAT(found[0], Contains("is a plain number and divides values in") && Contains(" in s") &&
                                  Contains(" in m"));
+    }
+}
+
+TEST_CASE("a body in the water less than two spacings from something is doubted", "[scene]") {
+    const auto doubts = [](double low, double left, double particle_spacing) {
+        const std::string outline = fmt::format(
+            "body.outline=[[{0}, {1}], [0.3, {1}], [0.3, {2}], [{0}, {2}]]", left, low, low + 0.1);
+        return doubts_at_spacing(with_plate({outline}), particle_spacing);
+    };
+    CHECK(doubts(0.04, 0.04, 0.02).empty());
+    CHECK(doubts(0.001, 0.1, 0.02).empty());  // no water enters
+    CHECK(doubts(0.3, 0.01, 0.02).empty());   // in the air
+    for (const double gap : {0.003, 0.008, 0.01, 0.015, 0.02, 0.03, 0.035}) {
+        CAPTURE(gap);
+        REQUIRE(doubts(gap, 0.1, 0.02).size() == 1);
+        CHECK_THAT(doubts(gap, 0.1, 0.02)[0], Contains("from the floor"));
+        REQUIRE(doubts(0.06, gap, 0.02).size() == 1);
+        CHECK_THAT(doubts(0.06, gap, 0.02)[0], Contains("from the left wall"));
     }
 }

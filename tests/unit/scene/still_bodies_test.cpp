@@ -176,3 +176,16 @@ TEST_CASE("still water carries a fixed body from the start, whatever its shape",
         }
     }
 }
+
+TEST_CASE("a slit too narrow for particles holds none, and the water beside it is at rest", "[setup]") {
+    for (const double slit : {0.001, 0.003, 0.005, 0.007, 0.009}) {
+        CAPTURE(slit);
+        Simulation simulation = assemble(still({"", square, {0.4, 0.1 + slit}}), 0.02, 1);
+        for (std::size_t i = 0; i < simulation.fluid().size(); ++i)
+            CHECK(simulation.fluid().state[i].volume < 2 * 0.02 * 0.02);
+        while (simulation.time() < 0.03) REQUIRE_FALSE(simulation.step(0.03 - simulation.time()));
+        double fastest = 0;
+        for (const FluidState& p : simulation.fluid().state) fastest = std::max(fastest, p.velocity().norm());
+        CHECK(fastest < 0.2);
+    }
+}

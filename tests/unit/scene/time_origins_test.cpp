@@ -147,3 +147,20 @@ TEST_CASE("every run records how far each body is from the level and from the wa
     // from the upper right particle of the water, which ends at x = 0.4, to the corner of the first body
     CHECK(value.at("body_water_gap") == Approx(std::hypot(0.11, 0.05) - 0.01).margin(1e-9));
 }
+
+TEST_CASE("the clearance of a body counts from the water below it where levels differ", "[origin]") {
+    const Scene scene = parse_scene(scene_with("", ""), "small.toml", "single-phase",
+                                    {"water.boxes=[[0.0, 0.0, 0.4, 0.2], [0.4, 0.0, 1.0, 0.1]]",
+                                     "air.boxes=[[0.4, 0.1, 1.0, 0.2], [0.0, 0.2, 1.0, 0.48]]"});
+    const Recorders recorders(scene, 0.02);
+    std::vector<double> values;
+    recorders.sample(assemble(scene, 0.02, 1), 0, values);
+    const std::vector<SeriesInfo>& list = recorders.list();
+    for (const auto& [name, clearance] :
+         {std::pair("body_clearance", 0.14), std::pair("body_clearance_2", 0.1)}) {
+        const auto found =
+            std::find_if(list.begin(), list.end(), [&](const SeriesInfo& s) { return s.name == name; });
+        REQUIRE(found != list.end());
+        CHECK(values.at(static_cast<std::size_t>(found - list.begin())) == Approx(clearance));
+    }
+}

@@ -153,3 +153,26 @@ TEST_CASE("the frequency of contacts is that of a mass on its springs, and 0 far
     CHECK(found >= std::sqrt(2e6 / 80));
     CHECK(found < 3 * std::sqrt(2e6 / 80));
 }
+
+TEST_CASE("bodies that meet corner to corner do not turn, and stacked ones do not slide", "[contact]") {
+    std::vector<RigidBody> round = {block({1, 1}), block({2, 1})};
+    for (RigidBody& body : round) {
+        body.corners.clear();
+        for (int k = 0; k < 48; ++k)
+            body.corners.emplace_back(0.2 * std::cos(k * std::numbers::pi / 24),
+                                      0.2 * std::sin(k * std::numbers::pi / 24));
+    }
+    round[1].position.x() = 1.4001;
+    round[0].velocity = {0.1, 0};
+    march(round, {1e9, 0.5}, {0, 0}, 0.006, 1e-7);
+    CHECK(round[0].angular_velocity == Approx(0).margin(1e-6));
+    CHECK(round[1].velocity.x() - round[0].velocity.x() == Approx(0.05).epsilon(0.02));
+
+    const double turning = GENERATE(-0.3, 0.05, 0.3);
+    std::vector<RigidBody> stack = {block({2, 0.1}), block({2, 0.301})};
+    stack[1].angular_velocity = turning;
+    march(stack, {1e7, 0.2}, {0, -9.81}, 1, 2e-5);
+    CHECK(stack[1].position.x() == Approx(2).margin(1e-4));
+    CHECK(stack[1].position.y() == Approx(0.3).margin(2e-4));
+    CHECK(stack[1].angle == Approx(0).margin(1e-3));
+}
