@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "solver/core/errors.hpp"
+#include "validation/metrics/missing_value_marks.hpp"
 #include "validation/metrics/units.hpp"
 #include "validation/store/hash.hpp"
 #include "validation/store/text_table.hpp"
@@ -143,6 +144,7 @@ class Reader {
         if (reference_.columns.empty()) check_keys();
         if (reference_.columns.empty()) fail("no column names, expected a line such as 'T [-],p_star [-]'");
         if (reference_.columns.front().values.empty()) fail("no rows after the column names");
+        marks_.check(reference_);
         return std::move(reference_);
     }
 
@@ -236,6 +238,7 @@ class Reader {
                 columns[i].values.push_back(std::numeric_limits<double>::quiet_NaN());
             } else {
                 columns[i].values.push_back(factors_[i] * number(cells[i], columns[i].name));
+                marks_.see(cells[i], i, columns[i].values.size() - 1, lines_.number());
             }
         }
         const auto& x = columns.front().values;
@@ -276,6 +279,7 @@ class Reader {
     Reference reference_;
     char separator_ = ',';
     std::vector<double> factors_;  ///< SI units in one unit of each column
+    MissingValueMarks marks_;
 };
 
 }  // namespace
