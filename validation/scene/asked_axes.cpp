@@ -56,6 +56,15 @@ std::optional<std::string> unreached(const Asked& asked, double end_time) {
                        from, to, reached > 0 ? "beyond" : "after", end_time);
 }
 
+/// Where a scale with a unit leaves a unit that has no name, such as 1/m^2 of pressures over forces.
+std::optional<std::string> nameless_quotient(const std::string& name, const AxisUnits& axis) {
+    if (axis.scale_unit.empty() || axis.series.empty()) return std::nullopt;
+    const Unit left = unit_named(axis.series) / unit_named(axis.scale_unit);
+    if (si_name(left.powers).find("^-") == std::string::npos) return std::nullopt;
+    return fmt::format("{}: values in {} over scales.{} in {} are in {}: is this scale meant?", name,
+                       axis.series, axis.scale, axis.scale_unit, si_name(left.powers));
+}
+
 }  // namespace
 
 std::vector<std::string> unreached_times(const Scene& scene) {
@@ -65,7 +74,7 @@ std::vector<std::string> unreached_times(const Scene& scene) {
     return found;
 }
 
-std::vector<std::string> scales_of_two_dimensions(const Scene& scene) {
+std::vector<std::string> doubtful_scales(const Scene& scene) {
     std::map<std::string, std::string> unit_of;  // of the first use, by scale
     std::map<std::string, std::string> found;    // one sentence a scale
     const auto add = [&](const AxisUnits& axis) {
@@ -84,6 +93,9 @@ std::vector<std::string> scales_of_two_dimensions(const Scene& scene) {
     }
     std::vector<std::string> sentences;
     for (auto& [scale, text] : found) sentences.push_back(std::move(text));
+    for (const Asked& asked : all_asked(scene.analysis))
+        for (const AxisUnits& axis : {asked.units.x, asked.units.y})
+            if (auto text = nameless_quotient(asked.name, axis)) sentences.push_back(std::move(*text));
     return sentences;
 }
 

@@ -15,7 +15,8 @@ namespace wetdeck {
 /// event are not known before the run and pass.
 std::vector<std::string> unreached_times(const Scene& scene);
 
-/// One line for each plain scale that divides values of two dimensions, such as seconds and pascals.
-std::vector<std::string> scales_of_two_dimensions(const Scene& scene);
+/// One line for each plain scale that divides values of two dimensions, such as seconds and pascals, and for
+/// each scale with a unit that leaves one without a name.
+std::vector<std::string> doubtful_scales(const Scene& scene);
 
 }  // namespace wetdeck

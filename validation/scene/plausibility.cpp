@@ -277,7 +277,7 @@ std::vector<std::string> doubtful(const Scene& scene) {
     for (const Probe& probe : scene.probes)
         found.insert(found.end(), probe.doubts.begin(), probe.doubts.end());
     for (std::string& text : unreached_times(scene)) found.push_back(std::move(text));
-    for (std::string& text : scales_of_two_dimensions(scene)) found.push_back(std::move(text));
+    for (std::string& text : doubtful_scales(scene)) found.push_back(std::move(text));
     for (std::string& text : unused_values(scene)) found.push_back(std::move(text));
     return found;
 }

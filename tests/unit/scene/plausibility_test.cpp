@@ -222,6 +222,9 @@ TEST_CASE("a plain scale of two dimensions is doubted") {
             parse_scene(samples::replaced(text, "window = [0.2, 0.8]", "window = [0.2, 0.4]"), "small.toml"));
     };
     CHECK(doubts("time", "length").empty());
+    REQUIRE(doubts("time", "kilo").size() == 1);  // metres over pascals
+    CHECK_THAT(doubts("time", "kilo")[0],
+               Contains("values in m over scales.kilo in Pa") && Contains("is this scale meant?"));
     for (const auto& [x, y] : {std::pair("length", "length"), std::pair("time", "time"),
                                std::pair("milli", "milli"), std::pair("length", "time")}) {
         CAPTURE(x, y);
