@@ -69,7 +69,7 @@ void check_place(const TomlTable& table, const BodySpec& spec, const Scene& scen
     if (face.gap <= tolerance && !may_touch)
         table.fail(
             "outline",
-            fmt::format("touches the tank's {}: leave a gap of less than a tenth of a spacing, which no "
+            fmt::format("touches the tank's {}: leave a gap of less than half a spacing, which no "
                         "particle enters (0.001 m, say){}",
                         face.name, spec.body.moves() ? ", or switch contact on with a table [contact]" : ""));
     for (const BodySpec& other : scene.bodies)

@@ -20,7 +20,7 @@ std::string refused(const std::vector<std::string>& overrides) {
 
 TEST_CASE("a body that touches the tank is refused with what to do, one beyond it with how far", "[scene]") {
     const std::pair<const char*, const char*> table[] = {
-        {"body.position=[0.5, 0.05]", "touches the tank's floor: leave a gap of less than a tenth of a spacing"},
+        {"body.position=[0.5, 0.05]", "touches the tank's floor: leave a gap of less than half a spacing"},
         {"body.position=[0.5, 0.43]", "touches the tank's roof"},
         {"body.position=[0.1, 0.3]", "touches the tank's left wall"},
         {"body.position=[0.9, 0.3]", "touches the tank's right wall"},
