@@ -299,7 +299,7 @@ std::vector<std::string> doubts_at_spacing(const Scene& scene, double particle_s
 std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing,
                                        std::optional<double> until) {
     Scene asked = scene;
-    asked.end_time = until.value_or(scene.end_time);
+    asked.end_time = std::max(scene.end_time, until.value_or(0));  // who ends a run early knows it
     std::vector<std::string> doubts = doubtful(asked);
     for (std::string& text : doubts_at_spacing(scene, particle_spacing)) doubts.push_back(std::move(text));
     return doubts;

@@ -35,7 +35,7 @@ std::vector<std::string> doubtful(const Scene& scene);
 std::vector<std::string> doubts_at_spacing(const Scene& scene, double particle_spacing);
 
 /// All doubts about one run: of the scene, and of this spacing [m].
-/// @param until  where the run ends instead of at the scene's end [s]
+/// @param until  where the run ends instead of at the scene's end [s]; an earlier end raises no doubt
 std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing,
                                        std::optional<double> until = std::nullopt);
 
