@@ -252,3 +252,11 @@ TEST_CASE("a body in the water less than two spacings from something is doubted"
         CHECK_THAT(doubts(0.06, gap, 0.02)[0], Contains("from the left wall"));
     }
 }
+
+TEST_CASE("a run that goes on to a later time is judged by that time", "[scene]") {
+    const Scene scene =
+        parse_scene(samples::with("window = [0.2, 0.8]", "window = [2.0, 2.5]"), "small.toml");
+    CHECK(doubts_of_run(scene, 0.02).size() == 1);
+    CHECK(doubts_of_run(scene, 0.02, 0.05).size() == 1);
+    CHECK(doubts_of_run(scene, 0.02, 0.4).empty());
+}
