@@ -271,3 +271,19 @@ TEST_CASE(
         CHECK(row.at("revision").is_null());
     }
 }
+
+TEST_CASE("a tier without runs is refused", "[faults]") {
+    const ScratchFolder folder;
+    const std::string text = samples::with("single-phase = [0.02, 0.04]", "single-phase = []");
+    samples::put_bytes(folder / "none.toml", text);
+    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--plan"}, {"--row", "0"}}) {
+        std::vector<std::string> arguments = {"suite", "--only", folder / "none.toml", "--out",
+                                              folder / "out"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = run_program(arguments);
+        INFO(outcome.out << outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK_THAT(outcome.err, Contains("tier 'quick' of") && Contains("holds no run"));
+        CHECK_FALSE(std::filesystem::exists(folder / "out"));
+    }
+}

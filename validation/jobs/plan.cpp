@@ -2,6 +2,7 @@
 #include "validation/jobs/plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -76,6 +77,11 @@ std::vector<SuiteRow> suite_rows(const PlanOptions& options) {
     std::vector<SuiteRow> rows;
     for (const std::string& name : options.scenes.empty() ? scene_names() : options.scenes)
         add_scene_rows(rows, options, name);
+    if (rows.empty())
+        throw InputError(fmt::format(
+            "tier '{}' of {} holds no run, expected spacings of a variant in the table [tiers]", options.tier,
+            options.scenes.empty() ? "the shipped scenes"
+                                   : fmt::format("{}", fmt::join(options.scenes, ", "))));
     std::stable_sort(rows.begin(), rows.end(), [](const SuiteRow& a, const SuiteRow& b) {
         return a.estimated_core_seconds > b.estimated_core_seconds;
     });

@@ -37,7 +37,7 @@ struct RowOptions {
 };
 
 /// Every row of the tier, longest first, and two for each [[sensitivity]] of a scene (low and high, at the
-/// middle spacing of the default variant). Throws InputError for an unknown tier or scene.
+/// middle spacing of the default variant). Throws InputError for an unknown tier or scene, and without a run.
 std::vector<SuiteRow> suite_rows(const PlanOptions& options);
 
 /// "scene variant dx SPACING", followed by the override or, where there are several, by the name of the
