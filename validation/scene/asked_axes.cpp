@@ -87,15 +87,15 @@ std::vector<std::string> doubtful_scales(const Scene& scene) {
                                   "unit, as in \"0.6 m\"",
                                   axis.scale, use->second, axis.series));
     };
+    std::vector<std::string> sentences, nameless;
     for (const Asked& asked : all_asked(scene.analysis)) {
-        add(asked.units.x);
-        add(asked.units.y);
+        for (const AxisUnits& axis : {asked.units.x, asked.units.y}) {
+            add(axis);
+            if (auto text = nameless_quotient(asked.name, axis)) nameless.push_back(std::move(*text));
+        }
     }
-    std::vector<std::string> sentences;
     for (auto& [scale, text] : found) sentences.push_back(std::move(text));
-    for (const Asked& asked : all_asked(scene.analysis))
-        for (const AxisUnits& axis : {asked.units.x, asked.units.y})
-            if (auto text = nameless_quotient(asked.name, axis)) sentences.push_back(std::move(*text));
+    sentences.insert(sentences.end(), nameless.begin(), nameless.end());
     return sentences;
 }
 

@@ -211,8 +211,7 @@ std::vector<ModelKey> rows() {
                   "wall dissipation", 0.0),
         removable(choice("wall_velocity", &Model::wall_velocity, {"own", "normal", "mirrored"},
                          "u_R at walls: the wall's own normal velocity as printed, the fluid's reversed "
-                         "about it, or that "
-                         "and along the face the velocity of the water",
+                         "about it, or that and along the face the velocity of the water",
                          "Eqs. (16)-(18)"),
                   "mirrored wall velocity", std::string("normal")),
         removable(

@@ -10,7 +10,7 @@
 
 #include "solver/setup/cut_cells.hpp"
 #include "solver/setup/lattice.hpp"
-#include "tests/unit/scene/scene_samples.hpp"
+#include "tests/unit/scene/still_water.hpp"
 #include "validation/run/assemble.hpp"
 
 using namespace wetdeck;
@@ -70,40 +70,15 @@ Outline at(const Shape& shape) {
     return placed;
 }
 
-Scene still(const Shape& shape, const std::string& more = "") {
+Scene still(const Shape& shape) {
     std::vector<std::string> corners;
     for (const Vec2& corner : shape.outline)
         corners.push_back(fmt::format("[{:.12f}, {:.12f}]", corner.x(), corner.y()));
-    return parse_scene(fmt::format(R"toml(schema = 1
-name = "still"
-title = "Still water"
-purpose = "to test"
-source = "none"
-gravity = [0.0, -9.81]
-default_variant = "water"
-[tank]
-size = [0.8, 0.8]
-[water]
-density = 1000.0
-sound_speed = 35.0
-exponent = 7.0
-boxes = [[0.0, 0.0, 0.8, 0.6]]
-[initial]
-pressure = "hydrostatic"
-surface = 0.6
-[model]
-air = false
-[run]
-end_time = 0.05
-sample_interval = 0.01
-[variants.water]
-[body]
-position = [{}, {}]
-outline = [{}]
-free = []
-{})toml",
-                                   shape.centre.x(), shape.centre.y(), fmt::join(corners, ", "), more),
-                       "still.toml");
+    const std::string position = fmt::format("[{}, {}]", shape.centre.x(), shape.centre.y());
+    const std::string outline = fmt::format("[{}]", fmt::join(corners, ", "));
+    return parse_scene(
+        samples::still_water({"[0.8, 0.8]", "[0.0, 0.0, 0.8, 0.6]", "0.6", "35.0", position, outline}),
+        "still.toml");
 }
 
 }  // namespace
@@ -164,8 +139,8 @@ TEST_CASE("still water carries a fixed body from the start, whatever its shape",
                 ++steps;
             }
             const double weight = 1000 * g * area_moments(shape.outline).area;
-            if (std::string(shape.name)
-                    .starts_with("keel")) {  // five spacings wide: its weight is a third of p l
+            // five spacings wide: its weight is a third of p l
+            if (std::string(shape.name).starts_with("keel")) {
                 CHECK(sum / steps == Approx(weight).epsilon(0.1));
                 continue;
             }

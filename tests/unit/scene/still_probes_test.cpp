@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "tests/unit/scene/scene_samples.hpp"
+#include "tests/unit/scene/still_water.hpp"
 #include "validation/run/assemble.hpp"
 
 using namespace wetdeck;
@@ -16,38 +17,9 @@ constexpr double weight = 1000 * 9.81, depth = 0.2;
 
 /// A basin of 0.4 x 0.3 m, 0.2 m deep, water alone; a body that never moves, of 0.12 x 0.08 m.
 std::string still(const std::string& body_position, const std::string& water, const std::string& probe) {
-    return fmt::format(R"toml(schema = 1
-name = "still"
-title = "Still water"
-purpose = "to test"
-source = "none"
-gravity = [0.0, -9.81]
-default_variant = "water"
-[tank]
-size = [0.4, 0.3]
-[water]
-density = 1000.0
-sound_speed = 20.0
-exponent = 7.0
-boxes = [{}]
-[initial]
-pressure = "hydrostatic"
-surface = 0.2
-[model]
-air = false
-[run]
-end_time = 0.05
-sample_interval = 0.01
-[variants.water]
-[body]
-position = {}
-outline = [[0.0, 0.0], [0.12, 0.0], [0.12, 0.08], [0.0, 0.08]]
-free = []
-[[probes]]
-name = "probe"
-{}
-)toml",
-                       water, body_position, probe);
+    return samples::still_water({"[0.4, 0.3]", water, "0.2", "20.0", body_position,
+                                 "[[0.0, 0.0], [0.12, 0.0], [0.12, 0.08], [0.0, 0.08]]"},
+                                "[[probes]]\nname = \"probe\"\n" + probe);
 }
 
 const std::string submerged = "[0.12, 0.06]", above = "[0.12, 0.21]";
