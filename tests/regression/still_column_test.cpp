@@ -38,9 +38,9 @@ double fastest_water(const Simulation& simulation) {
 TEST_CASE("A still column keeps hydrostatic pressure, depth and rest", "[still]") {
     const bool with_air = GENERATE(true, false);
     Simulation simulation = basin(samples::two_phase_model(), with_air).simulate();
-    const PressureGauge gauges[] = {{{0.6, 0.06}, Vec2::UnitY(), spacing},
-                                    {{0.6, 0.15}, Vec2::UnitY(), spacing},
-                                    {{0.6, 0.24}, Vec2::UnitY(), spacing}};
+    const PressureGauge gauges[] = {{{0.6, 0.06}, -Vec2::UnitX(), spacing},
+                                    {{0.6, 0.15}, -Vec2::UnitX(), spacing},
+                                    {{0.6, 0.24}, -Vec2::UnitX(), spacing}};
     double pressure[] = {0, 0, 0}, fastest = 0;
     int samples_taken = 0;
     while (simulation.time() < 0.3) {
