@@ -88,7 +88,7 @@ double smaller_eigenvalue(const Eigen::Matrix2d& c) {
 
 /// f s . (x - <x>)
 double rise_of_fit(const std::vector<Seen>& seen, double weight, double mean_carried) {
-    constexpr double least_spread = 0.02, unexplained = 50;
+    constexpr double least_spread = 0.02, unexplained = 100;
     Vec2 centre = Vec2::Zero(), b = Vec2::Zero();
     for (const Seen& p : seen) centre += p.weight / weight * p.from_point;
     Eigen::Matrix2d c = Eigen::Matrix2d::Zero();

@@ -10,8 +10,8 @@
 //     d^2 = s . b,  e^2 = < (q - <q>)^2 > - d^2,
 // s is the slope of its first-order least-squares fit, d^2 the part of the variance that s explains, e^2 the
 // rest. The slope counts as far as the particles bear it out: in full in a linear field, not at all where
-// they are in disorder (e^2 > d^2 / 50) or lie in a line (l, the smaller eigenvalue of C over h^2, is small):
-//     f = max( 0, 1 - 50 e^2 / d^2 ) min( 1, l / 0.02 )^2
+// they are in disorder (e^2 > d^2 / 100) or lie in a line (l, the smaller eigenvalue of C over h^2, is small):
+//     f = max( 0, 1 - 100 e^2 / d^2 ) min( 1, l / 0.02 )^2
 // The reading is
 //     p(x) = m { <p> + m^2 [ <q> - <p> + f s . (x - <x>) ] },  m = min( 1, 2 SUM_j V_j W_j / S ),
 // where S is the share of the kernel that walls and bodies leave to fluid: 1/2 on a face, 1/4 in a corner. A
