@@ -16,7 +16,8 @@
 //     p(x) = m { <p> + m^2 [ <q> - <p> + f s . (x - <x>) ] },  m = min( 1, 2 SUM_j V_j W_j / S ),
 // where S is the share of the kernel that walls and bodies leave to fluid: 1/2 on a face, 1/4 in a corner. A
 // face that is less than half covered reads towards zero gauge pressure. Water that bears no negative
-// pressure reads none. Every linear field is read exactly, along any face and in corners.
+// pressure reads none. Every linear field is read exactly, along any face and in corners, as long as two rows
+// of particles lie within the kernel's reach.
 //
 // An experiment's gauge is a disc: in two dimensions its mean is that over its height, weighted by the chord.
 #pragma once
