@@ -9,8 +9,8 @@
 //     C = < (x - <x>)(x - <x>)^T >,  b = < (x - <x>)(q - <q>) >,  s = C^-1 b,
 //     d^2 = s . b,  e^2 = < (q - <q>)^2 > - d^2,
 // s is the slope of its first-order least-squares fit, d^2 the part of the variance that s explains, e^2 the
-// rest. The slope counts as far as the particles bear it out: in full in a linear field, not at all where
-// they are in disorder (e^2 > d^2 / 100) or lie in a line (l, the smaller eigenvalue of C over h^2, is small):
+// rest. With l h^2 the smaller eigenvalue of C, the slope counts as far as the particles bear it out: in full
+// in a linear field, not at all where they are in disorder (e^2 > d^2 / 100) or lie in a line (l = 0):
 //     f = max( 0, 1 - 100 e^2 / d^2 ) min( 1, l / 0.02 )^2
 // The reading is
 //     p(x) = m { <p> + m^2 [ <q> - <p> + f s . (x - <x>) ] },  m = min( 1, 2 SUM_j V_j W_j / S ),
