@@ -36,6 +36,7 @@ Flow placed(SimulationSetup& setup) {
     // water one spacing deep around each body
     measure_bodies(flow, density * setup.particle_spacing * setup.particle_spacing / layers,
                    setup.model.gravity);
+    sum_own_kernels(flow.walls, {0.5 * support}, setup.particle_spacing * setup.particle_spacing);
     return flow;
 }
 

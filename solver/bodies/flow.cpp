@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/bodies/flow.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 namespace wetdeck {
 
 void measure_bodies(Flow& flow, double added_mass, Vec2 gravity) {
@@ -16,6 +19,35 @@ void measure_bodies(Flow& flow, double added_mass, Vec2 gravity) {
         for (int k = 0; k < 2; ++k) {
             if (body.free[static_cast<std::size_t>(k)] && body.added_mass > body.mass)
                 body.acceleration[k] = gravity[k];
+        }
+    }
+}
+
+void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volume) {
+    struct Point {
+        std::size_t owner;  // 0: the tank
+        Vec2 position;
+        std::size_t index;
+    };
+    std::vector<Point> points;
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+        const BodyPoint& p = walls.body_point[n];
+        if (n < walls.fixed) {
+            points.push_back({0, {walls.state[n].x, walls.state[n].y}, n});
+        } else {
+            points.push_back({std::size_t{p.body} + 1, {p.x, p.y}, n});
+        }
+    }
+    std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
+        return std::tuple(a.owner, a.position.x(), a.index) < std::tuple(b.owner, b.position.x(), b.index);
+    });
+    walls.own_sum.assign(walls.size(), volume * kernel.value(0));
+    for (auto a = points.begin(); a != points.end(); ++a) {
+        for (auto b = a + 1; b != points.end() && b->owner == a->owner; ++b) {
+            if (b->position.x() - a->position.x() >= kernel.support_radius()) break;
+            const double share = volume * kernel.value((b->position - a->position).norm());
+            walls.own_sum[a->index] += share;
+            walls.own_sum[b->index] += share;
         }
     }
 }

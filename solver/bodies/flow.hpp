@@ -8,6 +8,7 @@
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/particles/fluid.hpp"
 #include "solver/particles/walls.hpp"
+#include "solver/physics/wendland_c2.hpp"
 
 namespace wetdeck {
 
@@ -29,6 +30,11 @@ struct Flow {
 ///
 /// Throws std::out_of_range where a boundary particle carries the number of no body.
 void measure_bodies(Flow& flow, double added_mass, Vec2 gravity);
+
+/// Sets the kernel sum of each boundary particle over those of the same body, or of the tank, itself
+/// included.
+/// @param volume  of each boundary particle [m^2]
+void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volume);
 
 /// Moves the boundary particles of the bodies to where the poses put them, Eqs. (22)-(23).
 void place_bodies(Flow& flow);

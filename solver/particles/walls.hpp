@@ -19,11 +19,12 @@ struct alignas(64) WallState {
     double ay = 0;  ///< its y [m/s^2]
 };
 
-/// Shepard means of the fluid around a boundary particle.
+/// The fluid around a boundary particle: Shepard means and kernel sum.
 struct WallMean {
-    double pressure = 0;  ///< [Pa], carried to the particle's own position
-    double vx = 0;        ///< velocity [m/s]
-    double vy = 0;        ///< its y [m/s]
+    double pressure = 0;    ///< [Pa], carried to the particle's own position
+    double vx = 0;          ///< velocity [m/s]
+    double vy = 0;          ///< its y [m/s]
+    double kernel_sum = 0;  ///< of the fluid and of the walls of the same body
 };
 
 /// Position and normal of a boundary particle in the frame of its body.
@@ -40,6 +41,7 @@ struct BodyPoint {
 struct WallParticles {
     std::vector<WallState> state;       ///< what the fluid reads
     std::vector<WallMean> mean;         ///< where the model uses it
+    std::vector<double> own_sum;        ///< kernel sum over the walls of the same body, or of the tank
     std::vector<double> force_x;        ///< of the phase last summed on each; bodies only [N/m]
     std::vector<double> force_y;        ///< the same along y [N/m]
     std::vector<BodyPoint> body_point;  ///< zero for the tank's walls
@@ -59,6 +61,7 @@ constexpr auto fields_of(const WallParticles&) {
     using P = WallParticles;
     return std::tuple{Field{"wall", &P::state, Sorted::yes, Stored::yes},
                       Field{"wall_mean", &P::mean, Sorted::yes, Stored::yes},
+                      Field{"wall_own_sum", &P::own_sum, Sorted::yes, Stored::no},
                       Field{"wall_id", &P::id, Sorted::yes, Stored::yes},
                       Field{"body_point", &P::body_point, Sorted::yes, Stored::no},
                       Field{"wall_force_x", &P::force_x, Sorted::no, Stored::no},

@@ -19,6 +19,7 @@ struct DensityTerms {
     bool hydrostatic_correction;  ///< the hydrostatic jump is taken out of the pressure jump
     bool mirrored_walls;          ///< walls move along their face with the water
     bool kernel_sum;              ///< the kernel sum is wanted
+    bool water;                   ///< of water, which feels a wall once it touches it
 };
 
 struct DensitySums {
@@ -66,11 +67,11 @@ struct WallSums {
 
 /// Free slip and no slip alike: the wall reverses the normal velocity about its own and has no pressure jump;
 /// an edge of a body, which has no normal, reverses the whole velocity. A mirrored wall moves along its face
-/// with the water around it.
+/// with the water around it. Water feels walls that it touches.
 template <DensityTerms terms>
 WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
-    Pack sum = 0.0, stretching = 0.0, kernel_sum = 0.0;
+    Pack sum = 0.0, stretching = 0.0, kernel_sum = 0.0, sum_at_walls = 0.0;
     // Signed distance from the layer of the nearest boundary particle: it tells the particle's own face, so
     // that the other face of a thin body, or of an edge, does not count.
     Pack closest = in.kernel.support_radius(), own_distance = in.kernel.smoothing_length;
@@ -78,10 +79,14 @@ WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
         const WallState& w = in.wall[index];
         const Separation s = separation(i, w.x, w.y);
         const Pack weight = WendlandC2::gradient_shape(s.distance, inverse_h);
-        if constexpr (terms.kernel_sum) kernel_sum += WendlandC2::shape(s.distance, inverse_h);
+        if constexpr (terms.water) {
+            const Pack kernel = WendlandC2::shape(s.distance, inverse_h);
+            kernel_sum += kernel;
+            sum_at_walls += kernel * in.wall_mean[index].kernel_sum;
+        }
         const bool edge = w.nx == 0 && w.ny == 0;
         const Pack signed_distance = edge ? s.distance : s.x * w.nx + s.y * w.ny;
-        if constexpr (terms.mirrored_walls || terms.kernel_sum) {
+        if constexpr (terms.water) {
             own_distance = select(s.distance < closest, signed_distance, own_distance);
             closest = minimum(closest, s.distance);
         }
@@ -99,6 +104,13 @@ WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
         }
     }
     const Pack face_distance = own_distance * (1 / in.particle_spacing) - 0.5;
+    if constexpr (terms.water) {
+        if (in.touching_wall_sum > 0) {
+            const Pack share =
+                approach_share(sum_at_walls / maximum(kernel_sum, Pack(1e-300)), in.touching_wall_sum);
+            sum = sum * select(face_distance < touching_distance, Pack(1.0), share);
+        }
+    }
     if constexpr (terms.mirrored_walls) sum = sum - 0.5 * stretching_share(face_distance) * stretching;
     return {sum, kernel_sum, face_distance};
 }
@@ -160,12 +172,16 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
 
 /// The same without a kernel sum.
 template <DensityTerms terms>
-constexpr DensityTerms without_sum = {terms.harmonic_velocity, terms.harmonic_impedance,
-                                      terms.hydrostatic_correction, terms.mirrored_walls, false};
+constexpr DensityTerms without_sum = {terms.harmonic_velocity,
+                                      terms.harmonic_impedance,
+                                      terms.hydrostatic_correction,
+                                      terms.mirrored_walls,
+                                      false,
+                                      true};
 /// The same for the air.
 template <DensityTerms terms>
-constexpr DensityTerms of_air = {terms.harmonic_velocity, terms.harmonic_impedance,
-                                 terms.hydrostatic_correction, false, false};
+constexpr DensityTerms of_air = {
+    terms.harmonic_velocity, terms.harmonic_impedance, terms.hydrostatic_correction, false, false, false};
 
 template <DensityTerms terms>
 void density_rates(const PassInput& in) {
@@ -185,7 +201,7 @@ void density_rates(const PassInput& in) {
 Pass density_pass(const Model& model) {
     return with_flags(
         []<bool velocity, bool impedance, bool hydrostatic, bool mirrored>() -> Pass {
-            return density_rates<DensityTerms{velocity, impedance, hydrostatic, mirrored, true}>;
+            return density_rates<DensityTerms{velocity, impedance, hydrostatic, mirrored, true, true}>;
         },
         model.velocity_mean == Mean::harmonic, model.impedance_mean == ImpedanceMean::harmonic,
         model.hydrostatic_correction, model.wall_velocity == WallVelocity::mirrored);

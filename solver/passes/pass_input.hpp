@@ -15,9 +15,10 @@ namespace wetdeck {
 /// Inputs and outputs of a pass. Pointers are valid for one pass.
 struct PassInput {
     WendlandC2 kernel;
-    Vec2 gravity = Vec2::Zero();  ///< [m/s^2]
-    double particle_spacing = 0;  ///< [m]
-    double wall_volume = 0;       ///< of each boundary particle [m^2]
+    Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
+    double particle_spacing = 0;   ///< [m]
+    double wall_volume = 0;        ///< of each boundary particle [m^2]
+    double touching_wall_sum = 0;  ///< kernel sum from which walls compress the water, 0 for any
     std::array<double, phase_count> reference_density{};
     std::array<std::array<PairCoefficients, phase_count>, phase_count> pair;
     std::array<WallCoefficients, phase_count> wall_pair;
@@ -30,6 +31,7 @@ struct PassInput {
     const FluidState* fluid = nullptr;
     const WallState* wall = nullptr;
     const WallMean* wall_mean = nullptr;
+    const double* wall_own_sum = nullptr;
     const NeighbourBlocks* blocks = nullptr;  ///< neighbours of all clusters
     const std::vector<Cluster>* clusters = nullptr;
     const std::vector<std::size_t>* shares = nullptr;  ///< of the clusters, one a thread (equal_shares)

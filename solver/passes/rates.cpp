@@ -7,8 +7,17 @@
 namespace wetdeck {
 namespace {
 
+/// The kernel sums of walls end at the ends of a periodic domain: there, all its walls compress the water.
+double touching_wall_sum(const Model& model) {
+    return model.periodic_x ? 0 : model.touching_wall_sum;
+}
+
+bool reads_means_in_density(const Model& model) {
+    return model.wall_velocity == WallVelocity::mirrored || touching_wall_sum(model) > 0;
+}
+
 bool needs_wall_means(const Model& model) {
-    return model.wall_pressure != WallPressure::one_sided || model.wall_velocity == WallVelocity::mirrored;
+    return model.wall_pressure != WallPressure::one_sided || reads_means_in_density(model);
 }
 
 PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
@@ -24,6 +33,7 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
     in.gravity = model.gravity;
     in.particle_spacing = setup.particle_spacing;
     in.wall_volume = setup.particle_spacing * setup.particle_spacing;
+    in.touching_wall_sum = touching_wall_sum(model);
     in.smallest_velocity = 1e-12 * model.water.eos.sound_speed;
     in.smallest_pressure = 1e-12 * model.water.eos.coefficient();
     in.reference_density = {model.water.eos.reference_density, model.air.eos.reference_density};
@@ -44,6 +54,7 @@ void set_state(PassInput& in, const Flow& flow, const NeighbourList& list) {
     in.fluid = list.listed(flow.fluid);
     in.wall = flow.walls.state.data();
     in.wall_mean = flow.walls.mean.data();
+    in.wall_own_sum = flow.walls.own_sum.data();
     in.blocks = &list.blocks();
     in.clusters = &list.clusters();
     in.shares = &list.shares();
@@ -99,6 +110,10 @@ void Rates::build_list(Flow& flow) {
 void Rates::refresh_list(Flow& flow, double farthest) {
     const StageTimer timer(stages_.neighbours);
     if (!list_.still_complete(farthest, flow.fluid, flow.walls, setup_.execution.threads)) build_list(flow);
+}
+
+bool Rates::means_in_density() const {
+    return reads_means_in_density(setup_.model);
 }
 
 void Rates::wall_means(Flow& flow, double substep_weight) {

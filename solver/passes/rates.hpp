@@ -36,7 +36,10 @@ class Rates {
     /// it incomplete.
     void refresh_list(Flow& flow, double farthest);
 
-    /// Pressure and velocity of the fluid around each boundary particle, where the model uses them.
+    /// Whether the density pass reads the means at walls.
+    bool means_in_density() const;
+    /// Pressure, velocity and kernel sum of the fluid around each boundary particle, where the model uses
+    /// them.
     void wall_means(Flow& flow, double substep_weight);
     /// Density rates and, with a positive weight, kernel sums.
     void density(Flow& flow, double substep_weight);

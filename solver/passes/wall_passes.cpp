@@ -6,9 +6,9 @@
 namespace wetdeck::WETDECK_ISA {
 namespace {
 
-/// Yang et al. (2020), Eq. (19): P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, and
-/// the mean velocity likewise. Only the fluid in front of a particle's face counts: fluid behind a thin body
-/// belongs to its other face.
+/// Yang et al. (2020), Eq. (19): P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, the
+/// mean velocity likewise, and the kernel sum. Only the fluid in front of a particle's face counts: fluid
+/// behind a thin body belongs to its other face.
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
     const double inverse_h = 1 / in.kernel.smoothing_length;
@@ -16,7 +16,7 @@ void wall_means(const PassInput& in) {
     for (std::int64_t n = 0; n < cluster_count; ++n) {
         const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
         const WallLanes w = load(in, cluster);
-        Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0;
+        Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0, kernel_sum = 0.0;
         const std::uint32_t count =
             cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
         const std::uint32_t* neighbours = fluid_neighbours(*in.blocks, cluster, 0).data();
@@ -27,13 +27,17 @@ void wall_means(const PassInput& in) {
             const Pack weight = select(behind > 0.0, 0.0, WendlandC2::shape(s.distance, inverse_h));
             pressure_sum += weight * (f.pressure - f.density * (w.relative_x * s.x + w.relative_y * s.y));
             weight_sum += weight;
+            kernel_sum += f.volume * weight;
             vx_sum += weight * f.vx;
             vy_sum += weight * f.vy;
         }
         const Pack inverse = 1.0 / maximum(weight_sum, 1e-300);
         const Pack pressure = pressure_sum * inverse, vx = vx_sum * inverse, vy = vy_sum * inverse;
         for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
-            in.new_wall_mean[cluster.first + lane] = {pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane]};
+            const std::uint32_t index = cluster.first + lane;
+            in.new_wall_mean[index] = {
+                pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane],
+                in.wall_own_sum[index] + in.kernel.normalisation() * kernel_sum.lanes[lane]};
         }
     }
 }

@@ -96,8 +96,7 @@ std::optional<Instability> advance(Flow& flow, Rates& rates, const Substep& subs
     const double middle = substep.middle() ? all : 0, after = substep.last() ? all : 0;
     const double moved = kick_and_drift(flow, rates, 0.5 * substep.dt, before);
     rates.refresh_list(flow, moved);
-    if (rates.setup().model.wall_velocity == WallVelocity::mirrored && substep.middle())
-        rates.wall_means(flow, middle);
+    if (rates.means_in_density() && substep.middle()) rates.wall_means(flow, middle);
     rates.density(flow, middle);
     update_and_drift(flow, rates, substep.dt, middle);
     rates.refresh_list(flow, moved);
