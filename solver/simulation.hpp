@@ -52,7 +52,7 @@ class Simulation {
     /// One step of the water of the given size at most. Returns what has left its range, if anything.
     std::optional<Instability> step(double longest);
 
-    const Model& model() const { return rates_.setup().model; }  ///< as given, air_substeps resolved
+    const Model& model() const { return rates_.setup().model; }  ///< air_substeps, wall_wetting resolved
     const Execution& execution() const { return rates_.setup().execution; }  ///< threads resolved
     const FluidParticles& fluid() const { return flow_.fluid; }  ///< sorted: `id` identifies a particle
     const WallParticles& walls() const { return flow_.walls; }   ///< of the tank, then of bodies

@@ -19,12 +19,12 @@ struct alignas(64) WallState {
     double ay = 0;  ///< its y [m/s^2]
 };
 
-/// The fluid around a boundary particle: Shepard means and kernel sum.
+/// The fluid around a boundary particle: Shepard means, and whether it touches.
 struct WallMean {
-    double pressure = 0;    ///< [Pa], carried to the particle's own position
-    double vx = 0;          ///< velocity [m/s]
-    double vy = 0;          ///< its y [m/s]
-    double kernel_sum = 0;  ///< of the fluid and of the walls of the same body
+    double pressure = 0;  ///< [Pa], carried to the particle's own position
+    double vx = 0;        ///< velocity [m/s]
+    double vy = 0;        ///< its y [m/s]
+    double wetness = 1;   ///< share of the wall's approach that the water feels, 0 while dry
 };
 
 /// Position and normal of a boundary particle in the frame of its body.

@@ -71,7 +71,8 @@ struct WallSums {
 template <DensityTerms terms>
 WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
     const double inverse_h = 1 / in.kernel.smoothing_length;
-    Pack sum = 0.0, stretching = 0.0, kernel_sum = 0.0, sum_at_walls = 0.0;
+    Pack sum = 0.0, stretching = 0.0, kernel_sum = 0.0, room = 0.0, wet = 0.0;
+    constexpr double least_room = 1e-12;
     // Signed distance from the layer of the nearest boundary particle: it tells the particle's own face, so
     // that the other face of a thin body, or of an edge, does not count.
     Pack closest = in.kernel.support_radius(), own_distance = in.kernel.smoothing_length;
@@ -82,7 +83,9 @@ WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
         if constexpr (terms.water) {
             const Pack kernel = WendlandC2::shape(s.distance, inverse_h);
             kernel_sum += kernel;
-            sum_at_walls += kernel * in.wall_mean[index].kernel_sum;
+            const Pack open = kernel * (1 - in.wall_own_sum[index]);
+            room += open;
+            wet += open * in.wall_mean[index].wetness;
         }
         const bool edge = w.nx == 0 && w.ny == 0;
         const Pack signed_distance = edge ? s.distance : s.x * w.nx + s.y * w.ny;
@@ -105,9 +108,8 @@ WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
     }
     const Pack face_distance = own_distance * (1 / in.particle_spacing) - 0.5;
     if constexpr (terms.water) {
-        if (in.touching_wall_sum > 0) {
-            const Pack share =
-                approach_share(sum_at_walls / maximum(kernel_sum, Pack(1e-300)), in.touching_wall_sum);
+        if (in.wetting) {
+            const Pack share = wet / maximum(room, Pack(least_room));
             sum = sum * select(face_distance < touching_distance, Pack(1.0), share);
         }
     }

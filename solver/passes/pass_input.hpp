@@ -15,10 +15,10 @@ namespace wetdeck {
 /// Inputs and outputs of a pass. Pointers are valid for one pass.
 struct PassInput {
     WendlandC2 kernel;
-    Vec2 gravity = Vec2::Zero();   ///< [m/s^2]
-    double particle_spacing = 0;   ///< [m]
-    double wall_volume = 0;        ///< of each boundary particle [m^2]
-    double touching_wall_sum = 0;  ///< kernel sum from which walls compress the water, 0 for any
+    Vec2 gravity = Vec2::Zero();  ///< [m/s^2]
+    double particle_spacing = 0;  ///< [m]
+    double wall_volume = 0;       ///< of each boundary particle [m^2]
+    bool wetting = false;         ///< dry walls do not compress the water
     std::array<double, phase_count> reference_density{};
     std::array<std::array<PairCoefficients, phase_count>, phase_count> pair;
     std::array<WallCoefficients, phase_count> wall_pair;

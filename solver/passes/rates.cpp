@@ -7,13 +7,8 @@
 namespace wetdeck {
 namespace {
 
-/// The kernel sums of walls end at the ends of a periodic domain: there, all its walls compress the water.
-double touching_wall_sum(const Model& model) {
-    return model.periodic_x ? 0 : model.touching_wall_sum;
-}
-
 bool reads_means_in_density(const Model& model) {
-    return model.wall_velocity == WallVelocity::mirrored || touching_wall_sum(model) > 0;
+    return model.wall_velocity == WallVelocity::mirrored || model.wall_wetting;
 }
 
 bool needs_wall_means(const Model& model) {
@@ -33,7 +28,7 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
     in.gravity = model.gravity;
     in.particle_spacing = setup.particle_spacing;
     in.wall_volume = setup.particle_spacing * setup.particle_spacing;
-    in.touching_wall_sum = touching_wall_sum(model);
+    in.wetting = model.wall_wetting;
     in.smallest_velocity = 1e-12 * model.water.eos.sound_speed;
     in.smallest_pressure = 1e-12 * model.water.eos.coefficient();
     in.reference_density = {model.water.eos.reference_density, model.air.eos.reference_density};

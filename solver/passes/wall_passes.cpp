@@ -2,12 +2,13 @@
 // The passes over boundary particles: means of the fluid around them and forces on bodies.
 #include "solver/passes/isa_passes.hpp"
 #include "solver/passes/wall_pair.hpp"
+#include "solver/physics/wetting.hpp"
 
 namespace wetdeck::WETDECK_ISA {
 namespace {
 
 /// Yang et al. (2020), Eq. (19): P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, the
-/// mean velocity likewise, and the kernel sum. Only the fluid in front of a particle's face counts: fluid
+/// mean velocity likewise, and the wetness. Only the fluid in front of a particle's face counts: fluid
 /// behind a thin body belongs to its other face.
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
@@ -35,9 +36,10 @@ void wall_means(const PassInput& in) {
         const Pack pressure = pressure_sum * inverse, vx = vx_sum * inverse, vy = vy_sum * inverse;
         for (std::uint32_t lane = 0; lane < cluster.count; ++lane) {
             const std::uint32_t index = cluster.first + lane;
-            in.new_wall_mean[index] = {
-                pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane],
-                in.wall_own_sum[index] + in.kernel.normalisation() * kernel_sum.lanes[lane]};
+            const double cover =
+                covered_share(kernel_sum.lanes[lane] * in.kernel.normalisation(), in.wall_own_sum[index]);
+            in.new_wall_mean[index] = {pressure.lanes[lane], vx.lanes[lane], vy.lanes[lane],
+                                       next_wetness(in.new_wall_mean[index].wetness, cover)};
         }
     }
 }

@@ -52,7 +52,7 @@ struct Model {
     SpongeRamp sponge_ramp = SpongeRamp::exponential;  ///< reading of Eq. (25)
     bool negative_pressure = true;  ///< false: density is kept at or above the reference (water without air)
     double full_kernel_sum = 0.9;   ///< kernel sum from which the density of water may rise, 0 for any
-    double touching_wall_sum = 0.98;  ///< kernel sum of walls from which they compress the water, 0 for any
+    bool wall_wetting = true;       ///< water without air feels a wall once it touches it
 
     ContactLaw contact;  ///< of bodies with the tank and each other
 

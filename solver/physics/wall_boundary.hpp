@@ -45,15 +45,6 @@ Real wall_jump_velocity(Real separation_x, Real separation_y, Scalar relative_x,
     return -half_slowness * (relative_x * separation_x + relative_y * separation_y);
 }
 
-/// Share of a wall's approach that compresses the water: none while a gap separates them, all once the
-/// kernel's support of the boundary particles is full.
-/// @param kernel_sum  of the boundary particles near, over water and walls
-/// @param touching    kernel sum from which the wall counts, below 1
-template <class Real>
-Real approach_share(Real kernel_sum, double touching) {
-    return minimum(maximum((kernel_sum - touching) * (0.5 / (1 - touching)), Real(0.0)), Real(1.0));
-}
-
 /// Share of the stretching along a wall that counts for a particle at `distance` from the face [spacings]:
 /// all from half a spacing on, where a particle is at rest, none below a fifth.
 template <class Real>

@@ -6,6 +6,7 @@
 
 #include "solver/physics/density_bounds.hpp"
 #include "solver/physics/wendland_c2.hpp"
+#include "solver/physics/wetting.hpp"
 
 namespace wetdeck::samples {
 namespace {
@@ -158,10 +159,10 @@ Vec2 tangent(const WallState& wall) {
 }
 
 /// Eq. (19): the mean of what each fluid particle near sees behind the face, Eq. (17), and of its velocity.
-WallMean shepard_mean(const WallState& wall, double own_sum, const FluidParticles& fluid, const Model& model,
-                      const WendlandC2& kernel) {
+WallMean shepard_mean(const WallState& wall, double own_sum, double wetness, const FluidParticles& fluid,
+                      const Model& model, const WendlandC2& kernel) {
     const Vec2 drive = Vec2(wall.ax, wall.ay) - model.gravity;
-    double pressure = 0, weights = 0, kernel_sum = own_sum;
+    double pressure = 0, weights = 0, kernel_sum = 0;
     Vec2 velocity = Vec2::Zero();
     for (std::size_t f = 0; f < fluid.size(); ++f) {
         if (fluid.phase(f) == Phase::air && model.wall_pressure != WallPressure::shepard) continue;
@@ -175,8 +176,9 @@ WallMean shepard_mean(const WallState& wall, double own_sum, const FluidParticle
         kernel_sum += w * p.volume;
         weights += w;
     }
-    if (weights == 0) return {0, 0, 0, own_sum};
-    return {pressure / weights, velocity.x() / weights, velocity.y() / weights, kernel_sum};
+    if (weights == 0) return {0, 0, 0, 0};
+    return {pressure / weights, velocity.x() / weights, velocity.y() / weights,
+            next_wetness(wetness, covered_share(kernel_sum, own_sum))};
 }
 
 /// One fluid particle's sums over the walls.
@@ -192,7 +194,7 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
     const FluidState& p = fluid.state[i];
     const Material& side = material(model, fluid.phase(i));
     WallSums sums;
-    double stretching = 0, sum_at_walls = 0, weights = 0, nearest = kernel.smoothing_length,
+    double stretching = 0, wet = 0, room = 0, nearest = kernel.smoothing_length,
            closest = kernel.support_radius();
     for (std::size_t w = 0; w < walls.size(); ++w) {
         const WallState& wall = walls.state[w];
@@ -209,8 +211,9 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         const double felt = model.wall_velocity == WallVelocity::own ? 0.5 : 1;
         sums.compression +=
             slope * (edge ? felt * velocity.dot(e) - star : (felt * velocity.dot(n) + star) * n.dot(e));
-        sum_at_walls += kernel.value(offset.norm()) * rates.wall[w].kernel_sum;
-        weights += kernel.value(offset.norm());
+        const double open = kernel.value(offset.norm()) * (1 - walls.own_sum[w]);
+        room += open;
+        wet += open * rates.wall[w].wetness;
         if (offset.norm() < closest) {  // its face is the particle's own
             closest = offset.norm();
             nearest = edge ? closest : offset.dot(n);
@@ -238,12 +241,12 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         sums.push -= slope * p_star * e;
     }
     sums.distance = nearest / particle_spacing - 0.5;
+    const bool alone = fluid.water == fluid.size() && !model.periodic_x;
+    if (model.wall_wetting && alone && room > 0 && !(sums.distance < touching_distance))
+        sums.compression *= wet / room;
     if (model.wall_velocity == WallVelocity::mirrored && fluid.phase(i) == Phase::water) {
         sums.compression += 0.5 * stretching_share(sums.distance) * stretching;
     }
-    const bool bounded = model.touching_wall_sum > 0 && !model.periodic_x && fluid.phase(i) == Phase::water;
-    if (bounded && weights > 0 && !(sums.distance < touching_distance))
-        sums.compression *= approach_share(sum_at_walls / weights, model.touching_wall_sum);
     return sums;
 }
 
@@ -254,7 +257,8 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
     const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};
     Rates rates;
     for (std::size_t w = 0; w < walls.size(); ++w)
-        rates.wall.push_back(shepard_mean(walls.state[w], walls.own_sum[w], fluid, model, kernel));
+        rates.wall.push_back(
+            shepard_mean(walls.state[w], walls.own_sum[w], walls.mean[w].wetness, fluid, model, kernel));
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         WallSums sums = wall_sums(fluid, i, walls, rates, model, particle_spacing);
         for (std::size_t j = 0; j < fluid.size(); ++j) {

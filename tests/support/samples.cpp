@@ -79,7 +79,7 @@ Model paper_model() {
     model.wall_dissipation = 0;
     model.courant_number = 0.25;
     model.full_kernel_sum = 0;
-    model.touching_wall_sum = 0;
+    model.wall_wetting = false;
     return model;
 }
 
