@@ -118,6 +118,10 @@ struct SensitivitySpec {
     std::string source;      ///< of the uncertainty
 };
 
+/// The key that the study of the sound speed varies, and its shares of the variant's own.
+inline constexpr const char* sound_speed_key = "water.sound_speed";
+inline constexpr double sound_speed_shares[] = {0.5, 2.0};
+
 /// The cost of the source's own computation.
 struct SourceRun {
     double particles = 0;
@@ -176,6 +180,9 @@ struct AnalysisSpec {
     std::vector<OriginEvent> contacts;          ///< geometric, of each body
     double sample_interval = 0;                 ///< of the series [s]
     std::vector<SensitivitySpec> sensitivities;
+    std::vector<std::string> sound_speed_variants;    ///< run at other sound speeds, too
+    std::vector<std::string> twice_sound_speed_with;  ///< KEY=VALUE of the run at twice the sound speed
+    double sound_speed = 0;                           ///< of the water in this variant [m/s]
     std::vector<Deviation> deviations;
     std::vector<SourceFigure> source_figures;
     std::vector<SourceStatement> statements;

@@ -122,6 +122,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"peers", summary.peers},
             {"cheapest", std::move(cheapest)},
             {"sensitivity", summary.sensitivity},
+            {"sound_speed", summary.sound_speed},
             {"verification", verification_list(summary.verification)},
             {"ablation", summary.ablation},
             {"stress", summary.stress},

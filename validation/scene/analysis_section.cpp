@@ -171,6 +171,20 @@ void read_sensitivities(const TomlTable& root, AnalysisSpec& analysis) {
     }
 }
 
+void read_sound_speed_study(const TomlTable& root, Scene& scene) {
+    scene.analysis.sound_speed = scene.model.water.eos.sound_speed;
+    const std::optional<TomlTable> table = root.optional_table("sound_speed_study");
+    if (!table) return;
+    for (const std::string& name : table->texts("variants")) {
+        const auto same = [&](const VariantInfo& variant) { return variant.name == name; };
+        if (std::none_of(scene.variants.begin(), scene.variants.end(), same))
+            table->fail("variants", fmt::format("'{}' is not a variant of this scene", name));
+        scene.analysis.sound_speed_variants.push_back(name);
+    }
+    scene.analysis.twice_sound_speed_with = table->texts("twice_with");
+    table->finish();
+}
+
 void read_source_run(const TomlTable& root, AnalysisSpec& analysis) {
     const std::optional<TomlTable> table = root.optional_table("source_run");
     if (!table) return;
@@ -207,6 +221,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     read_deviations(root, analysis);
     read_sources(root, analysis);
     read_sensitivities(root, analysis);
+    read_sound_speed_study(root, scene);
     read_source_run(root, analysis);
     analysis.limits = root.texts("limits");
     analysis.error_quantity = root.text_or("error_quantity", "");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -72,6 +73,19 @@ std::vector<std::string> unreached_times(const Scene& scene) {
     for (const Asked& asked : all_asked(scene.analysis))
         if (auto text = unreached(asked, scene.end_time)) found.push_back(std::move(*text));
     return found;
+}
+
+std::vector<AskedTime> asked_times(const Scene& scene) {
+    std::vector<AskedTime> all;
+    for (const Asked& asked : all_asked(scene.analysis)) {
+        const SeriesScaling& scaling = asked.scaling;
+        std::optional<double> last = scaling.instant;
+        const bool of_time = asked.units.x.series == "s" && !scaling.event;
+        if (!last && of_time && asked.window) last = scaling.x_offset + asked.window->end * scaling.x_scale;
+        if (!last && of_time) last = scene.end_time;
+        if (last) all.push_back({asked.name, asked.units.y.series, std::min(*last, scene.end_time)});
+    }
+    return all;
 }
 
 std::vector<std::string> doubtful_scales(const Scene& scene) {
