@@ -15,7 +15,10 @@ using Names = std::set<std::string>;
 Names compared_references(const TomlTable& root) {
     Names names;
     for (const char* key : {"quantities", "compare"}) {
-        for (const TomlTable& table : root.tables(key)) names.insert(table.text_or("reference", ""));
+        for (const TomlTable& table : root.tables(key)) {
+            names.insert(table.text_or("reference", ""));
+            for (const std::string& stem : table.texts("references")) names.insert(stem);
+        }
     }
     return names;
 }
