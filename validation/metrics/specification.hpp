@@ -94,6 +94,7 @@ struct ComparisonSpec : SeriesScaling {
     double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
     std::string x_label;
     std::string y_label;
+    bool judged = true;        ///< else the reference is drawn beside the others and nothing is measured
     bool align_peaks = false;  ///< each curve is shifted until its largest value is at zero
 };
 

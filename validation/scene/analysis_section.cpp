@@ -115,7 +115,8 @@ std::vector<std::string> compared_references(const TomlTable& table) {
     return stems;
 }
 
-/// One comparison for each reference; those of a list have its name after the title.
+/// One comparison for each reference, and one without a verdict for each that is only shown; those of lists
+/// have its name after the title.
 std::vector<ComparisonSpec> read_comparison(const TomlTable& table, const Axes& axes) {
     ComparisonSpec c;
     c.title = table.text("title");
@@ -131,12 +132,18 @@ std::vector<ComparisonSpec> read_comparison(const TomlTable& table, const Axes& 
     c.tolerance = table.positive("tolerance");
     c.x_label = table.text_or("x_label", c.x_column);
     c.y_label = table.text_or("y_label", c.y_column);
-    table.finish();
     std::vector<ComparisonSpec> all(references.size(), c);
     for (std::size_t k = 0; k < all.size(); ++k) {
         all[k].reference = references[k];
         if (table.has("references")) all[k].title += ", " + references[k];
     }
+    for (const std::string& stem : table.texts("shown")) {
+        c.reference = read_reference(table, "shown", stem);
+        c.judged = false;
+        all.push_back(c);
+        all.back().title += ", " + stem;
+    }
+    table.finish();
     return all;
 }
 

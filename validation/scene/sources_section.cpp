@@ -17,7 +17,8 @@ Names compared_references(const TomlTable& root) {
     for (const char* key : {"quantities", "compare"}) {
         for (const TomlTable& table : root.tables(key)) {
             names.insert(table.text_or("reference", ""));
-            for (const std::string& stem : table.texts("references")) names.insert(stem);
+            for (const char* list : {"references", "shown"})
+                for (const std::string& stem : table.texts(list)) names.insert(stem);
         }
     }
     return names;

@@ -62,12 +62,22 @@ TEST_CASE("a list of references is compared with one by one") {
     CHECK(comparisons[1].title == "front, another_front");
     CHECK(comparisons[1].tolerance == comparisons[0].tolerance);
     CHECK_THAT(comparisons[1].units.place, EndsWith("key 'compare[0].references'"));
+    const Scene beside =
+        parse_scene(read("reference = \"nobody_front\"\nshown = [\"another_front\"]"), "small.toml");
+    REQUIRE(beside.analysis.comparisons.size() == 2);
+    CHECK(beside.analysis.comparisons[0].judged);
+    CHECK(beside.analysis.comparisons[0].title == "front");
+    CHECK_FALSE(beside.analysis.comparisons[1].judged);
+    CHECK(beside.analysis.comparisons[1].title == "front, another_front");
     const std::vector<std::array<std::string, 3>> table = {
         {"references = []", "references", "expected at least one reference"},
         {"references = \"nobody_front\"", "references", "expected a list of texts"},
         {"references = [1.0]", "references", "expected a list of texts"},
         {"references = [\"a\"]\nreference = \"b\"", "references", "expected none beside 'reference'"},
-        {"references = [\"analytic:nothing\"]", "references", "nothing"}};
+        {"references = [\"analytic:nothing\"]", "references", "nothing"},
+        {"reference = \"a\"\nshown = \"b\"", "shown", "expected a list of texts"},
+        {"reference = \"a\"\nshown = [\"analytic:nothing\"]", "shown", "nothing"},
+        {"shown = [\"b\"]", "reference", "missing, expected a text"}};
     for (const auto& [keys, key, message] : table) {
         CAPTURE(keys);
         CHECK_THAT(refusal(read(keys)), Contains("key 'compare[0]." + key + "': ") && Contains(message));
