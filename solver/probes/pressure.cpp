@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/probes/pressure.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,11 +12,24 @@ namespace wetdeck {
 
 namespace {
 
-/// The part of gravity that the kernel's sums at a point do not see, because there is fluid on one side only.
-Vec2 one_sided_gravity(const FacePoint& point, Vec2 gravity, double smoothing_length) {
-    if (point.to_end < smoothing_length) return gravity;
-    return gravity - gravity.dot(point.along) * point.along;
-}
+/// A fluid particle near the points.
+struct NearFluid {
+    Vec2 position;
+    double volume, pressure, reference_density;
+};
+
+/// What is near the points, as far as the kernel reaches.
+struct Surroundings {
+    std::vector<NearFluid> fluid;
+    std::vector<Vec2> walls;  ///< positions of boundary particles
+};
+
+/// A particle as a point of a face sees it; lengths in h.
+struct Seen {
+    double weight;  ///< V W
+    Vec2 from_point;
+    double pressure, carried;  ///< p and q
+};
 
 /// Around all points, as far as the kernel reaches.
 Box neighbourhood(std::span<const FacePoint> points, double reach) {
@@ -25,50 +39,121 @@ Box neighbourhood(std::span<const FacePoint> points, double reach) {
     return {near.low - Vec2::Constant(reach), near.high + Vec2::Constant(reach)};
 }
 
+Surroundings surroundings(const Simulation& simulation, const Box& box) {
+    const auto inside = [&box](double x, double y) {
+        return x >= box.low.x() && x <= box.high.x() && y >= box.low.y() && y <= box.high.y();
+    };
+    const Model& model = simulation.model();
+    const FluidParticles& fluid = simulation.fluid();
+    Surroundings near;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+        const FluidState& p = fluid.state[i];
+        if (!inside(p.x, p.y)) continue;
+        const TaitEquationOfState& law = (i < fluid.water ? model.water : model.air).eos;
+        near.fluid.push_back({p.position(), p.volume, p.pressure - model.water.eos.background_pressure,
+                              law.reference_density});
+    }
+    for (const WallState& wall : simulation.walls().state)
+        if (inside(wall.x, wall.y)) near.walls.emplace_back(wall.x, wall.y);
+    return near;
+}
+
+/// The fluid in front of the face. Particles that are pressed into it by up to half a spacing count.
+std::vector<Seen> seen_from(const FacePoint& point, const Surroundings& near, const Simulation& simulation) {
+    const WendlandC2 kernel = simulation.kernel();
+    const Vec2 pull = simulation.model().gravity - point.acceleration.dot(point.normal) * point.normal;
+    std::vector<Seen> seen;
+    for (const NearFluid& p : near.fluid) {
+        const Vec2 from_point = p.position - point.place;
+        const double weight = p.volume * kernel.value(from_point.norm());
+        if (weight == 0 || from_point.dot(point.normal) < -0.5 * simulation.particle_spacing()) continue;
+        seen.push_back({weight, from_point / kernel.smoothing_length, p.pressure,
+                        p.pressure - p.reference_density * pull.dot(from_point)});
+    }
+    return seen;
+}
+
+/// S: at most that of a straight face, so that a face without boundary particles is read, too.
+double open_share(Vec2 place, const Surroundings& near, const Simulation& simulation) {
+    const WendlandC2 kernel = simulation.kernel();
+    const double volume = simulation.particle_spacing() * simulation.particle_spacing();
+    double covered = 0;
+    for (const Vec2& wall : near.walls) covered += volume * kernel.value((wall - place).norm());
+    return std::clamp(1 - covered, 0.125, 0.5);
+}
+
+double smaller_eigenvalue(const Eigen::Matrix2d& c) {
+    return 0.5 * (c.trace() - std::hypot(c(0, 0) - c(1, 1), 2 * c(0, 1)));
+}
+
+/// f s . (x - <x>)
+double rise_of_fit(const std::vector<Seen>& seen, double weight, double mean_carried) {
+    constexpr double least_spread = 0.02, unexplained = 100;
+    Vec2 centre = Vec2::Zero(), b = Vec2::Zero();
+    for (const Seen& p : seen) centre += p.weight / weight * p.from_point;
+    Eigen::Matrix2d c = Eigen::Matrix2d::Zero();
+    double variance = 0;
+    for (const Seen& p : seen) {
+        const Vec2 off = p.from_point - centre;
+        const double share = p.weight / weight, excess = p.carried - mean_carried;
+        c += share * off * off.transpose();
+        b += share * excess * off;
+        variance += share * excess * excess;
+    }
+    const double spread = std::min(1.0, smaller_eigenvalue(c) / least_spread);
+    if (!(spread > 1e-6)) return 0;
+    const Vec2 slope = c.inverse() * b;
+    const double explained = slope.dot(b);
+    if (!(explained > 0)) return 0;
+    const double doubt = unexplained * std::max(0.0, variance - explained) / explained;
+    return -std::max(0.0, 1 - doubt) * spread * spread * slope.dot(centre);
+}
+
+double pressure_at(const std::vector<Seen>& seen, double open) {
+    double weight = 0, pressure = 0, carried = 0;
+    for (const Seen& p : seen) {
+        weight += p.weight;
+        pressure += p.weight * p.pressure;
+        carried += p.weight * p.carried;
+    }
+    if (weight == 0) return 0;
+    pressure /= weight;
+    carried /= weight;
+    const double wet = std::min(1.0, 2 * weight / open);
+    return wet * (pressure + wet * wet * (carried - pressure + rise_of_fit(seen, weight, carried)));
+}
+
 }  // namespace
 
 std::vector<double> face_pressures(const Simulation& simulation, std::span<const FacePoint> points) {
-    std::vector<double> pressure(points.size(), 0), rise(points.size(), 0), weight(points.size(), 0);
+    std::vector<double> pressure;
     if (points.empty()) return pressure;
-    const WendlandC2 kernel = simulation.kernel();
-    std::vector<Vec2> gravity;
-    for (const FacePoint& point : points)
-        gravity.push_back(one_sided_gravity(point, simulation.model().gravity, kernel.smoothing_length));
-    const Box near = neighbourhood(points, kernel.support_radius());
-    const FluidParticles& fluid = simulation.fluid();
-    const double background = simulation.model().water.eos.background_pressure;
-    for (std::size_t i = 0; i < fluid.size(); ++i) {
-        const FluidState& p = fluid.state[i];
-        if (p.x < near.low.x() || p.x > near.high.x() || p.y < near.low.y() || p.y > near.high.y()) continue;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const Vec2 from_point = p.position() - points[k].place;
-            const double w = p.volume * kernel.value(from_point.norm());
-            pressure[k] += w * (p.pressure - background);
-            rise[k] -= w * p.density * gravity[k].dot(from_point);
-            weight[k] += w;
-        }
-    }
-    constexpr double least_cover = 0.25;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const double wet = std::min(1.0, weight[k] / least_cover);
-        pressure[k] = (pressure[k] + wet * wet * rise[k]) / std::max(weight[k], least_cover);
+    const Surroundings near =
+        surroundings(simulation, neighbourhood(points, simulation.kernel().support_radius()));
+    const bool bears_tension =
+        simulation.model().negative_pressure || simulation.fluid().water < simulation.fluid().size();
+    for (const FacePoint& point : points) {
+        const double p =
+            pressure_at(seen_from(point, near, simulation), open_share(point.place, near, simulation));
+        pressure.push_back(bears_tension ? p : std::max(0.0, p));
     }
     return pressure;
 }
 
 FacePoint placed(const FacePoint& point, const RigidBody& body) {
-    return {body.placed(point.place), body.axes() * point.along, point.to_end};
+    const Vec2 place = body.placed(point.place);
+    return {place, body.axes() * point.normal, body.acceleration_at(place - body.position)};
 }
 
-PressureGauge::PressureGauge(Vec2 centre, Vec2 along, double diameter, std::optional<std::size_t> body,
-                             double centre_to_end)
+PressureGauge::PressureGauge(Vec2 centre, Vec2 normal, double diameter, std::optional<std::size_t> body)
     : diameter_(diameter), body_(body) {
     constexpr int point_count = 16;
+    normal.normalize();
+    const Vec2 along(-normal.y(), normal.x());
     double sum = 0;
     for (int k = 0; k < point_count; ++k) {
         const double offset = ((k + 0.5) / point_count - 0.5) * diameter;
-        point_.push_back(
-            {centre + offset * along.normalized(), along.normalized(), centre_to_end - std::abs(offset)});
+        point_.push_back({centre + offset * along, normal});
         weight_.push_back(std::sqrt(0.25 * diameter * diameter - offset * offset));
         sum += weight_.back();
     }

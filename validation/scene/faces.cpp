@@ -67,21 +67,23 @@ FacePlace nearest_wall(const Box& tank, Vec2 point) {
     };
     const auto& [name, wall] = *std::min_element(walls.begin(), walls.end(), nearer);
     const double foot = wall.foot(point);
-    return {name, wall.distance(point), wall.along(), foot, wall.length() - foot};
+    const Vec2 across(-wall.along().y(), wall.along().x()), inwards = 0.5 * (low + high) - wall.from;
+    const Vec2 normal = across.dot(inwards) > 0 ? across : Vec2(-across);
+    return {name, wall.distance(point), wall.along(), normal, foot, wall.length() - foot};
 }
 
 FacePlace nearest_face(const Outline& outline, Vec2 point) {
     const std::size_t nearest = nearest_side(outline, point);
     const Side found = side(outline, nearest);
     const double foot = found.foot(point);
-    return {"the face", found.distance(point), found.along(),
+    const Vec2 right(found.along().y(), -found.along().x());
+    const Vec2 normal = counter_clockwise(outline) ? right : Vec2(-right);
+    return {"the face",
+            found.distance(point),
+            found.along(),
+            normal,
             foot + length_beside(outline, nearest, outline.size() - 1),
             found.length() - foot + length_beside(outline, nearest, 1)};
-}
-
-Vec2 along_with_fluid_on_right(const Outline& outline, Vec2 point) {
-    const Vec2 along = side(outline, nearest_side(outline, point)).along();
-    return counter_clockwise(outline) ? along : Vec2(-along);
 }
 
 std::optional<std::string> covered_for_good(const Scene& scene, Vec2 point) {

@@ -17,6 +17,7 @@ struct FacePlace {
     std::string name;      ///< "the floor", "the left wall", "the face"
     double distance;       ///< of the point from the face [m]
     Vec2 along;            ///< unit vector along the face
+    Vec2 normal;           ///< unit vector into the fluid
     double before, after;  ///< length of the face on either side of the point, against and along `along` [m]
 
     double to_end() const { return before < after ? before : after; }
@@ -30,9 +31,6 @@ FacePlace nearest_wall(const Box& tank, Vec2 point);
 
 /// Of a body; `along` follows the order of the corners.
 FacePlace nearest_face(const Outline& outline, Vec2 point);
-
-/// The unit vector along the nearest face that has the fluid on its right, whatever the order of the corners.
-Vec2 along_with_fluid_on_right(const Outline& outline, Vec2 point);
 
 /// Name of the body that never moves and covers the point, if there is one.
 std::optional<std::string> covered_for_good(const Scene& scene, Vec2 point);

@@ -124,8 +124,7 @@ Probe wall_pressure(const TomlTable& table, const Scene& scene) {
             table.fail("centre",
                        fmt::format("lies where {}, which never moves, covers {}", *body, wall.name));
     }
-    return pressure_gauge(table, {centre, wall.along, diameter, std::nullopt, wall.to_end()},
-                          {centre - half, centre + half});
+    return pressure_gauge(table, {centre, wall.normal, diameter}, {centre - half, centre + half});
 }
 
 Probe water_depth_at(const TomlTable& table, const Scene& scene) {
@@ -147,7 +146,7 @@ Probe body_pressure(const TomlTable& table, const Scene& scene) {
     const double diameter = table.positive("diameter");
     const FacePlace face = nearest_face(body.outline, body.origin + centre);
     check_disc(table, face, fmt::format("expected a point on the outline of {}", body.name));
-    return pressure_gauge(table, {body.in_body_frame(centre), face.along, diameter, number, face.to_end()},
+    return pressure_gauge(table, {body.in_body_frame(centre), face.normal, diameter, number},
                           {body.at_start(centre), body.at_start(centre)});
 }
 
@@ -201,8 +200,7 @@ Probe face_pressure(const TomlTable& table, const Scene& scene) {
     std::vector<FacePoint> points;  // each in the middle of its share, in the frame of the mass centre
     for (const double share : midpoints(0, 1, count)) {
         const Vec2 place = face.from + share * (face.to - face.from);
-        const FacePlace there = nearest_face(body.outline, body.origin + place);
-        points.push_back({body.in_body_frame(place), there.along, there.to_end()});
+        points.push_back({body.in_body_frame(place), nearest_face(body.outline, body.origin + place).normal});
     }
     Probe probe;
     probe.series.abscissa = midpoints(0, (face.to - face.from).norm(), count);
@@ -243,11 +241,11 @@ Probe air_film(const TomlTable& table, const Scene& scene) {
     const BodySpec& body = scene.bodies[face.body];
     Vec2 from = body.in_body_frame(face.from), to = body.in_body_frame(face.to);
     const Vec2 middle = body.origin + 0.5 * (face.from + face.to);
-    if (along_with_fluid_on_right(body.outline, middle).dot(to - from) < 0) std::swap(from, to);
-    const Vec2 along = (to - from).normalized();
+    const Vec2 normal = nearest_face(body.outline, middle).normal;
+    if (normal.dot(Vec2(to.y() - from.y(), from.x() - to.x())) < 0) std::swap(from, to);
     Probe probe;
     probe.place = face.place;
-    if (!sees_water(face, body.body.axes() * Vec2(along.y(), -along.x()), scene))
+    if (!sees_water(face, body.body.axes() * normal, scene))
         probe.doubts.push_back(
             fmt::format("{}: no water is in front of the face at the start: air_film reads "
                         "the tank's diagonal while that is so",

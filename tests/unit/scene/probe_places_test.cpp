@@ -130,6 +130,21 @@ TEST_CASE("a face of a body goes on over short sides that turn little, and ends 
     CHECK(top.after == Approx(0.7));
 }
 
+TEST_CASE("the normal of a face points into the fluid, whatever the order of the corners", "[probe]") {
+    const Box tank{{0, 0}, {3, 2}};
+    CHECK(nearest_wall(tank, {1, 0}).normal == Vec2(0, 1));
+    CHECK(nearest_wall(tank, {1, 2}).normal == Vec2(0, -1));
+    CHECK(nearest_wall(tank, {0, 1}).normal == Vec2(1, 0));
+    CHECK(nearest_wall(tank, {3, 1}).normal == Vec2(-1, 0));
+    const Outline counter = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}}, clockwise(counter.rbegin(), counter.rend());
+    for (const Outline& diamond : {counter, clockwise}) {
+        for (const Vec2& middle : {Vec2(0.5, 0.5), Vec2(-0.5, 0.5), Vec2(-0.5, -0.5), Vec2(0.5, -0.5)}) {
+            CAPTURE(middle.x(), middle.y());
+            CHECK((nearest_face(diamond, middle).normal - middle.normalized()).norm() < 1e-12);
+        }
+    }
+}
+
 TEST_CASE("the gap in front of a face does not depend on the order of its ends or of the corners",
           "[probe]") {
     const char* counter = "[[0.0, 0.0], [0.12, 0.0], [0.12, 0.12], [0.0, 0.12]]";

@@ -88,13 +88,38 @@ const std::vector<Gauge> pressures = {
 
 }  // namespace
 
-TEST_CASE("pressures in still water are right to one percent of the head at any spacing", "[probe]") {
+TEST_CASE("pressures in still water are right to a thousandth of the head at any spacing", "[probe]") {
     for (const double spacing : {0.02, 0.01, 0.005}) {
         for (const Gauge& gauge : pressures) {
             const std::vector<double> values = reading(still(submerged, full, gauge.probe), spacing);
             for (std::size_t k = 0; k < values.size(); ++k) {
                 CAPTURE(spacing, gauge.name, k, values[k], gauge.exact(k));
-                CHECK(std::abs(values[k] - gauge.exact(k)) < 0.01 * weight * depth);
+                CHECK(std::abs(values[k] - gauge.exact(k)) < 0.001 * weight * depth);
+            }
+        }
+    }
+}
+
+TEST_CASE("pressures on slanted faces in still water are right to a thousandth of the head", "[probe]") {
+    const std::string counter = "[[0.0, -0.04], [0.05, 0.01], [0.0, 0.03], [-0.04, 0.01]]",
+                      clockwise = "[[0.0, -0.04], [-0.04, 0.01], [0.0, 0.03], [0.05, 0.01]]";
+    const Vec2 corners[] = {{0, -0.04}, {0.05, 0.01}, {0, 0.03}, {-0.04, 0.01}};
+    for (const double spacing : {0.01, 0.005}) {
+        for (const std::string& outline : {counter, clockwise}) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Vec2 from = corners[k], to = corners[(k + 1) % 4];
+                const std::string probe = along_face(fmt::format("[{}, {}]", from.x(), from.y()),
+                                                     fmt::format("[{}, {}]", to.x(), to.y()));
+                const std::string scene =
+                    samples::still_water({"[0.4, 0.3]", full, "0.2", "20.0", "[0.2, 0.1]", outline},
+                                         "[[probes]]\nname = \"probe\"\n" + probe);
+                const std::vector<double> values = reading(scene, spacing);
+                for (std::size_t n = 0; n < values.size(); ++n) {
+                    const double height =
+                        0.1 + from.y() + (static_cast<double>(n) + 0.5) / 4 * (to.y() - from.y());
+                    CAPTURE(spacing, outline, k, n, values[n]);
+                    CHECK(std::abs(values[n] - weight * (depth - height)) < 0.001 * weight * depth);
+                }
             }
         }
     }

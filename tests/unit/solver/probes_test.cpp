@@ -32,7 +32,7 @@ Simulation water_at(Box region, GaugePressure gauge) {
 TEST_CASE("A gauge reads the pressure at its centre in a linear field, background taken off", "[probe]") {
     const Simulation simulation = water_at({{0.5, 0}, {1, 1}}, [](Vec2 at) { return 2000 - 1500 * at.y(); });
     const double diameter = GENERATE(0.02, 0.09, 0.3), y = GENERATE(0.4, 0.503);
-    const PressureGauge probe({1.0, y}, Vec2::UnitY(), diameter);
+    const PressureGauge probe({1.0, y}, -Vec2::UnitX(), diameter);
     probe.check(spacing);
     // the kernel's sums over a lattice are uneven by some thousandths of a spacing
     CHECK(probe.sample(simulation) == Approx(2000 - 1500 * y).margin(0.005 * 1500 * spacing));
@@ -42,8 +42,8 @@ TEST_CASE("A gauge weighs heights by the chord of its disc", "[probe]") {
     // pressure (y - y0)^2: the mean over a disc of radius R is R^2 / 4, that over its height would be R^2 / 3
     const Simulation simulation =
         water_at({{0.5, 0}, {1, 1}}, [](Vec2 at) { return 1e5 * (at.y() - 0.5) * (at.y() - 0.5); });
-    const double wide = PressureGauge({1.0, 0.5}, Vec2::UnitY(), 0.4).sample(simulation);
-    const double point = PressureGauge({1.0, 0.5}, Vec2::UnitY(), 1e-6).sample(simulation);
+    const double wide = PressureGauge({1.0, 0.5}, -Vec2::UnitX(), 0.4).sample(simulation);
+    const double point = PressureGauge({1.0, 0.5}, -Vec2::UnitX(), 1e-6).sample(simulation);
     // sixteen heights give 1.3 % more than the exact mean
     CHECK(wide - point == Approx(1e5 * 0.2 * 0.2 / 4).epsilon(0.02));
 }
@@ -51,9 +51,9 @@ TEST_CASE("A gauge weighs heights by the chord of its disc", "[probe]") {
 TEST_CASE("A gauge above the water reads nothing and one half covered reads less than the water's pressure",
           "[probe]") {
     const Simulation simulation = water_at({{0.5, 0}, {1, 0.5}}, [](Vec2) { return 800.0; });
-    CHECK(PressureGauge({1.0, 0.8}, Vec2::UnitY(), 0.04).sample(simulation) == 0);
-    CHECK(PressureGauge({1.0, 0.2}, Vec2::UnitY(), 0.04).sample(simulation) == Approx(800).epsilon(1e-9));
-    const double at_surface = PressureGauge({1.0, 0.5}, Vec2::UnitY(), 0.2).sample(simulation);
+    CHECK(PressureGauge({1.0, 0.8}, -Vec2::UnitX(), 0.04).sample(simulation) == 0);
+    CHECK(PressureGauge({1.0, 0.2}, -Vec2::UnitX(), 0.04).sample(simulation) == Approx(800).epsilon(1e-9));
+    const double at_surface = PressureGauge({1.0, 0.5}, -Vec2::UnitX(), 0.2).sample(simulation);
     CHECK(at_surface > 300);
     CHECK(at_surface < 600);
 }
@@ -65,12 +65,12 @@ TEST_CASE("A gauge that one particle hardly touches reads its pressure by four t
     const FluidState particle = simulation.fluid().state[0];
     const double share = particle.volume * simulation.kernel().value(0.03);
     REQUIRE(share < 0.1);
-    CHECK(PressureGauge({1.0, 0.5}, Vec2::UnitY(), 1e-9).sample(simulation) ==
+    CHECK(PressureGauge({1.0, 0.5}, -Vec2::UnitX(), 1e-9).sample(simulation) ==
           Approx(4 * share * (particle.pressure - 1000)).epsilon(1e-9));
 }
 
 TEST_CASE("A gauge smaller than the particle spacing is refused", "[probe]") {
-    const PressureGauge probe({1.0, 0.2}, Vec2::UnitY(), 0.019);
+    const PressureGauge probe({1.0, 0.2}, -Vec2::UnitX(), 0.019);
     CHECK_THROWS_AS(probe.check(0.02), InputError);
     CHECK_THROWS_WITH(probe.check(0.02),
                       Catch::Contains("0.019 m is smaller than the particle spacing 0.02 m"));
