@@ -183,7 +183,7 @@ Probe tank_face_pressure(const TomlTable& table, const Scene& scene) {
     std::vector<FacePoint> points;  // each in the middle of its share
     for (const double share : midpoints(0, 1, count)) {
         const Vec2 place = from + share * (to - from);
-        points.push_back({place, (to - from).normalized(), nearest_wall(scene.tank, place).to_end()});
+        points.push_back({place, nearest_wall(scene.tank, place).normal});
     }
     Probe probe;
     probe.series.abscissa = midpoints(0, (to - from).norm(), count);
