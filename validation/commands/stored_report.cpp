@@ -277,7 +277,7 @@ std::vector<std::string> outside_tolerance(const Summary& summary) {
             if (q.within && !*q.within) add(q.name);
         }
         for (const ComparisonResult& c : run->comparisons) {
-            if (c.available && !c.within) add(c.title);
+            if (c.available && c.judged && !c.within) add(c.title);
         }
     }
     return outside;

@@ -54,6 +54,7 @@ struct ComparisonResult {
     bool available = true;  ///< false: no usable reference file, or a run that was asked to stop before the
                             ///< window; neither a success nor a failure
     bool unusable = false;  ///< why not `available`: the reference is there, but not sound or not comparable
+    bool judged = true;     ///< false: shown beside other references, without metrics and verdict
     std::string note;
     std::string x_label;
     std::string y_label;

@@ -40,7 +40,8 @@ json comparison_json(const ComparisonResult& result) {
                 {"tolerance", result.tolerance},
                 {"within", result.within},
                 {"note", result.note}};
-    if (!result.available) all["kind"] = all["within"] = nullptr;
+    if (!result.available) all["kind"] = nullptr;
+    if (!result.available || !result.judged) all["within"] = nullptr;
     return all;
 }
 

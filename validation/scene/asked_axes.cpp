@@ -38,9 +38,10 @@ std::vector<Asked> all_asked(const AnalysisSpec& spec) {
 
 std::optional<std::string> unreached(const Asked& asked, double end_time) {
     const double end = (1 + 1e-9) * end_time;
-    if (asked.scaling.instant && *asked.scaling.instant > end)
-        return fmt::format("{} is taken at the instant {:.6g} s, after the end of the run at {:.6g} s",
-                           asked.name, *asked.scaling.instant, end_time);
+    const SeriesScaling& scaling = asked.scaling;
+    if (const double last = scaling.instant.value_or(0) + scaling.interval; last > end)
+        return fmt::format("{} is taken {} {:.6g} s, after the end of the run at {:.6g} s", asked.name,
+                           scaling.interval > 0 ? "up to" : "at the instant", last, end_time);
     if (asked.units.x.series != "s" || asked.scaling.event) return std::nullopt;
     const auto on_clock = [&](double x) { return asked.scaling.x_offset + x * asked.scaling.x_scale; };
     if (asked.abscissa && on_clock(*asked.abscissa) > end)
