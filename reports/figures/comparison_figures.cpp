@@ -21,13 +21,21 @@ struct AxesKey {
     double x_scale, y_scale, x_offset, y_offset;
     bool aligned;
     std::string x_label, y_label;
+    std::string taken = {};  ///< of a profile: the instant or the interval
 
     bool operator==(const AxesKey&) const = default;
 
     /// Of figures: the aligned ones stand beside those of the same series over time.
     std::string name() const { return quantity + (aligned ? "-aligned" : ""); }
-    std::string title() const { return quantity + (aligned ? ", aligned on the peaks" : ""); }
+    std::string title() const { return quantity + (aligned ? ", aligned on the peaks" : "") + taken; }
 };
+
+std::string taken_at(const SeriesScaling& scaling) {
+    if (!scaling.instant) return "";
+    const double begin = *scaling.instant;
+    if (scaling.interval == 0) return ", at " + number(begin, 4) + " s";
+    return fmt::format(", mean over {} to {} s", number(begin, 4), number(begin + scaling.interval, 4));
+}
 
 constexpr double unknown_scale = 0;
 
@@ -37,11 +45,12 @@ AxesKey axes_of(const AnalysisSpec& scene, const ComparisonResult& c) {
             return {c.quantity,
                     spec.x_scale,
                     spec.y_scale,
-                    spec.x_offset + spec.instant.value_or(0),
+                    spec.x_offset,
                     spec.y_offset,
                     spec.align_peaks,
                     spec.event ? spec.origin : "",
-                    ""};
+                    "",
+                    taken_at(spec)};
         }
     }
     return {c.quantity, unknown_scale, unknown_scale, 0, 0, false, c.x_label, c.y_label};

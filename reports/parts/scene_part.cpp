@@ -133,6 +133,10 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     page.section(3, "Error and its uncertainty", scene.scene);
     page.add(validation_table(summary, scene));
     page.add(sensitivity_table(summary, scene));
+    if (const std::string sound = sound_speed_table(summary, scene); !sound.empty()) {
+        page.section(3, "Sound speed and spacing", scene.scene);
+        page.add(sound);
+    }
 
     page.section(3, "Ablation", scene.scene);
     page.add(ablation_table(summary, scene));

@@ -72,7 +72,7 @@ Cell comparison_cell(const ComparisonResult& c, std::size_t rows) {
 
 Cell comparison_verdict(const ComparisonResult& c) {
     Cell cell = verdict(verdict_of(c));
-    if (c.available && !c.nrmse) cell = markup("<span class=\"badge warn\">not computed</span>");
+    if (c.available && c.judged && !c.nrmse) cell = markup("<span class=\"badge warn\">not computed</span>");
     if (!c.note.empty()) cell.html += fmt::format(" {}", escape(c.note));
     return cell;
 }
@@ -126,7 +126,7 @@ Cell status_cell(const RunRecord& record) {
 }
 
 std::optional<bool> verdict_of(const ComparisonResult& comparison) {
-    return comparison.available ? std::optional(comparison.within) : std::nullopt;
+    return comparison.available && comparison.judged ? std::optional(comparison.within) : std::nullopt;
 }
 
 std::string uncertainty_text(const ComparisonResult& c) {

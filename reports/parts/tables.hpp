@@ -26,6 +26,8 @@ std::string convergence_table(const Summary& summary, const AnalysisSpec& scene)
 std::string curve_convergence_table(const Summary& summary, const AnalysisSpec& scene);
 std::string validation_table(const Summary& summary, const AnalysisSpec& scene);
 std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene);
+/// Empty where the scene asks for no runs at several sound speeds.
+std::string sound_speed_table(const Summary& summary, const AnalysisSpec& scene);
 std::string ablation_table(const Summary& summary, const AnalysisSpec& scene);
 std::string conservation_table(const Runs& runs);
 /// Voids, mixed particles, enclosed air and fluid in bodies; empty where no run recorded them.

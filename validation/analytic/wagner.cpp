@@ -21,12 +21,16 @@ double cotangent(double angle) {
 
 }  // namespace
 
+double wagner_contact_line_speed(double deadrise) {
+    return pi / 2 * cotangent(deadrise);
+}
+
 double wagner_force_coefficient(double deadrise) {
-    return growing_plate(pi / 2 * cotangent(deadrise));
+    return growing_plate(wagner_contact_line_speed(deadrise));
 }
 
 double wagner_maximum_pressure(double deadrise) {
-    const double spray_speed = pi / 2 * cotangent(deadrise);
+    const double spray_speed = wagner_contact_line_speed(deadrise);
     return spray_speed * spray_speed;
 }
 

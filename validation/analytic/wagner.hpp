@@ -8,6 +8,9 @@ namespace wetdeck {
 /// F/(rho V^3 t) of a flat plate that grows as the water piles up, half width (pi/2) V t cot(deadrise).
 double wagner_force_coefficient(double deadrise);
 
+/// Speed of the contact line along the surface, over V: pi/(2 tan(deadrise)).
+double wagner_contact_line_speed(double deadrise);
+
 /// Cp (over rho V^2/2) at the spray root.
 double wagner_maximum_pressure(double deadrise);
 

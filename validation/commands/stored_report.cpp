@@ -16,6 +16,7 @@
 #include "solver/passes/pair_passes.hpp"
 #include "validation/commands/pictures.hpp"
 #include "validation/commands/sketch.hpp"
+#include "validation/jobs/plan.hpp"
 #include "validation/metrics/analysis.hpp"
 #include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/summary_json.hpp"
@@ -57,7 +58,7 @@ bool lies_in(const RunSummary& run, const char* folder) {
     return *fs::path(run.directory).begin() == folder;
 }
 
-/// What every stored run of the directory is: a row of the tier, or of the sensitivity study.
+/// What every stored run of the directory is: a row of the tier, or of a study of one input.
 struct StoredRuns {
     std::vector<RunSummary> runs;
     std::vector<SensitivityRun> varied;
@@ -70,14 +71,14 @@ StoredRuns read_runs(const fs::path& directory) {
     StoredRuns stored;
     for (RunSummary& run : runs_below(directory, directory)) {
         if (lies_in(run, ablation_folder)) continue;
-        if (!lies_in(run, "sensitivity")) {
+        if (!lies_in(run, "sensitivity") && !lies_in(run, sound_speed_folder)) {
             stored.runs.push_back(std::move(run));
             continue;
         }
         const std::string assignment = run.record.provenance["overrides"];
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos)
-            throw DataError(fmt::format("{}: a run of the sensitivity study without the key it varies",
+            throw DataError(fmt::format("{}: a run of a study of one input without the key it varies",
                                         (directory / run.directory).string()));
         stored.varied.push_back({assignment.substr(0, equals),
                                  std::strtod(assignment.c_str() + equals + 1, nullptr), std::move(run)});
@@ -276,7 +277,7 @@ std::vector<std::string> outside_tolerance(const Summary& summary) {
             if (q.within && !*q.within) add(q.name);
         }
         for (const ComparisonResult& c : run->comparisons) {
-            if (c.available && !c.within) add(c.title);
+            if (c.available && c.judged && !c.within) add(c.title);
         }
     }
     return outside;

@@ -14,9 +14,9 @@ namespace wetdeck {
 inline constexpr const char* ablation_folder = "ablation";
 
 /// Reads and analyses every run.h5 below `directory` and the tables of the other commands. Runs below
-/// sensitivity/ are rows of that study; runs of ablation studies are left out, since a table holds their
-/// results. The tier is the one that suite.json names. Throws InputError if there is no run, DataError
-/// for a run that cannot be read.
+/// sensitivity/ and sound_speed/ are rows of those studies; runs of ablation studies are left out, since a
+/// table holds their results. The tier is the one that suite.json names. Throws InputError if there is no
+/// run, DataError for a run that cannot be read.
 Summary analyse_directory(const std::filesystem::path& directory);
 
 /// The same, and writes summary.json, index.html and figures/.

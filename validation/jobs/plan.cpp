@@ -46,6 +46,30 @@ void add_sensitivity_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
     }
 }
 
+/// Two rows for each variant whose sound speed the scene studies, at its coarsest spacing of the tier.
+void add_sound_speed_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, const std::string& name,
+                          const Scene& scene) {
+    for (const std::string& variant : scene.analysis.sound_speed_variants) {
+        const Tier& tier = scene.tiers.at(options.tier);
+        const auto spacings = tier.find(variant);
+        if (spacings == tier.end() || spacings->second.empty()) continue;
+        const double dx = spacings->second.front(),
+                     own = read_scene(find_scene(name), variant).analysis.sound_speed;
+        for (const double share : sound_speed_shares) {
+            const std::string assignment = fmt::format("{}={}", sound_speed_key, share * own);
+            std::vector<std::string> overrides = {assignment};
+            if (share > 1) {  // the echo is back sooner
+                const auto& larger = scene.analysis.twice_sound_speed_with;
+                overrides.insert(overrides.end(), larger.begin(), larger.end());
+            }
+            const Scene varied = read_scene(find_scene(name), variant, overrides);
+            check_row(varied, options.tier, dx);
+            rows.push_back({name, variant, dx, estimate_cost(varied, dx).core_seconds, overrides,
+                            options.directory / sound_speed_folder / scene.name() / variant / assignment});
+        }
+    }
+}
+
 void add_scene_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, const std::string& name) {
     const fs::path path = find_scene(name);
     const Scene scene = read_scene(path);
@@ -69,6 +93,7 @@ void add_scene_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, con
         }
     }
     add_sensitivity_rows(rows, options, name, scene);
+    add_sound_speed_rows(rows, options, name, scene);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plan of a suite: which runs a tier consists of (scene x variant x spacing, and the inputs of the
-// sensitivity study), where each is stored, and which are done.
+// studies of one input), where each is stored, and which are done.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct SuiteRow {
     std::string variant;
     double particle_spacing = 0;
     double estimated_core_seconds = 0;
-    std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of the sensitivity study
+    std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of a study of one input
     std::filesystem::path directory;     ///< of the run
     std::optional<double> until = {};    ///< stop time [s], the scene's if absent
     bool expected_unstable = false;      ///< its variant is known to become unstable: no failure
@@ -37,7 +37,8 @@ struct RowOptions {
 };
 
 /// Every row of the tier, longest first, and two for each [[sensitivity]] of a scene (low and high, at the
-/// middle spacing of the default variant). Throws InputError for an unknown tier or scene, and without a run.
+/// middle spacing of the default variant) and for each variant whose sound speed it studies (a half and
+/// twice, at its coarsest spacing). Throws InputError for an unknown tier or scene, and without a run.
 std::vector<SuiteRow> suite_rows(const PlanOptions& options);
 
 /// "scene variant dx SPACING", followed by the override or, where there are several, by the name of the
@@ -51,6 +52,9 @@ bool interrupted(const SuiteRow& row);
 
 /// Estimated core seconds of all rows.
 double estimated_core_seconds(const std::vector<SuiteRow>& rows);
+
+/// Folder of the runs at other sound speeds: DIR/sound_speed/SCENE/VARIANT/KEY=VALUE
+inline constexpr const char* sound_speed_folder = "sound_speed";
 
 /// Where rows of the sensitivity study lie: DIR/sensitivity/SCENE/KEY=VALUE
 std::filesystem::path sensitivity_path(const std::filesystem::path& directory, const std::string& scene,

@@ -16,6 +16,7 @@
 #include "validation/metrics/quantities.hpp"
 #include "validation/metrics/reference_use.hpp"
 #include "validation/metrics/resample.hpp"
+#include "validation/metrics/sound_speed.hpp"
 #include "validation/metrics/speed_error.hpp"
 #include "validation/metrics/statements.hpp"
 #include "validation/metrics/statistics.hpp"
@@ -188,6 +189,8 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         add_convergence(spec, summary);
         add_curve_convergence(spec, summary);
         append(summary.sensitivity, sensitivity_rows(spec, sensitivity_runs));
+        append(summary.sound_speed,
+               sound_speed_rows(spec, sensitivity_runs, summary.runs, summary.convergence));
         append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
         append(summary.scatter, scatter_points(spec, summary.runs));
     }

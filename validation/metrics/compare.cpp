@@ -125,6 +125,7 @@ ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, Re
     result.x_label = spec.x_label;
     result.y_label = spec.y_label;
     result.window = spec.window;
+    result.judged = spec.judged;
 
     SeriesCurve series = compared_series(spec, record);
     result.simulated = std::move(series.curve);
@@ -134,6 +135,10 @@ ComparisonResult compare(const ComparisonSpec& spec, const RunRecord& record, Re
     if (!result.available) return result;
     if (!series.problem.empty()) return result;
     if (spec.align_peaks && !align_reference(result, series.origin)) return result;
+    if (!spec.judged) {
+        add_note(result, "shown, not judged");
+        return result;
+    }
     if (const auto window = comparison_window(result, record)) compute_metrics(result, *window);
     if (spec.align_peaks) result.time_error.reset();  // the alignment has taken it out
     return result;

@@ -22,7 +22,8 @@ SeriesCurve compared_series(const ComparisonSpec& spec, const RunRecord& record)
 ///   time_error  scaled time of the largest value, simulated - reference; empty where the reference has its
 ///               largest value at an end of the window, as a front has, and where peaks are aligned
 ///
-/// and the features of both curves and their agreement (curve_metrics.hpp). There are no metrics, `within` is
+/// and the features of both curves and their agreement (curve_metrics.hpp), unless the scene asks for the
+/// reference to be shown and not judged. There are no metrics, `within` is
 /// false, and a note says why, where the series is missing or not sound, where it covers less than
 /// `required_coverage` of the part of the window that the reference spans, and where a run that stopped early
 /// is compared without a window. A reference file that does not exist, is not sound or holds another

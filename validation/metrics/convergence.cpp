@@ -100,4 +100,11 @@ ConvergenceRow convergence(std::vector<std::pair<double, double>> points, double
     return row;
 }
 
+std::optional<double> numerical_uncertainty(const ConvergenceRow& row) {
+    if (row.gci_fine) return 0.5 * *row.gci_fine;
+    if (row.value.size() < 3) return std::nullopt;
+    const auto [low, high] = std::minmax_element(row.value.end() - 3, row.value.end());
+    return *high - *low;
+}
+
 }  // namespace wetdeck

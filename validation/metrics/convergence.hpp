@@ -34,4 +34,8 @@ std::optional<double> observed_order(double h3, double h2, double h1, double f3,
 /// The caller fills in `scene`, `variant` and `qoi`.
 ConvergenceRow convergence(std::vector<std::pair<double, double>> spacing_and_value, double formal_order = 2);
 
+/// u_num of the finest spacing: half the GCI, else the range of the values at the three finest spacings; none
+/// with fewer.
+std::optional<double> numerical_uncertainty(const ConvergenceRow& row);
+
 }  // namespace wetdeck

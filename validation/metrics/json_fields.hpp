@@ -61,6 +61,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ValidationRow, scene, variant, quantity, unit
                                    verdict)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensitivityRow, scene, variant, dx, quantity, key, low, high, uncertainty,
                                    value_low, value_high, u_input)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SoundSpeedRow, scene, variant, quantity, unit, dx, sound_speed, value,
+                                   sound_part, u_sound, finest_dx, finest_value, spacing_part, u_num, limit,
+                                   u_limit, expected)
 NLOHMANN_JSON_SERIALIZE_ENUM(RunDoubt::About,
                              {{RunDoubt::About::time_origin, "time origin"}, {RunDoubt::About::flow, "flow"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunDoubt, about, scene, variant, dx, overrides, sentence)

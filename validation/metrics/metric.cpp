@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "solver/core/errors.hpp"
 #include "validation/metrics/resample.hpp"
@@ -15,29 +14,19 @@
 namespace wetdeck {
 namespace {
 
-double mean_of(const Curve& curve, const std::function<double(double)>& f) {
-    double integral = 0;
-    for (std::size_t i = 1; i < curve.x.size(); ++i) {
-        integral += 0.5 * (f(curve.y[i - 1]) + f(curve.y[i])) * (curve.x[i] - curve.x[i - 1]);
-    }
-    return integral / (curve.x.back() - curve.x.front());
-}
-
-double mean_of(const Curve& curve) {
-    return mean_of(curve, [](double y) { return y; });
-}
-
 double integral_of(const Curve& curve) {
-    return mean_of(curve) * (curve.x.back() - curve.x.front());
+    return average(curve) * (curve.x.back() - curve.x.front());
 }
 
 MetricResult mean(const MetricInput& in) {
-    return {mean_of(in.part), {}};
+    return {average(in.part), {}};
 }
 
 MetricResult standard_deviation(const MetricInput& in) {
-    const double centre = mean_of(in.part);
-    return {std::sqrt(mean_of(in.part, [centre](double y) { return (y - centre) * (y - centre); })), {}};
+    const double centre = average(in.part);
+    Curve squares = in.part;
+    for (double& y : squares.y) y = (y - centre) * (y - centre);
+    return {std::sqrt(average(squares)), {}};
 }
 
 MetricResult maximum(const MetricInput& in) {
@@ -92,6 +81,18 @@ MetricResult difference_to_reference(const MetricInput& in) {
             {}};
 }
 
+MetricResult largest_difference(const MetricInput& in) {
+    std::optional<double> largest;
+    for (std::size_t i = 0; i < in.reference.x.size(); ++i) {
+        const double x = in.reference.x[i];
+        if (x < in.window.begin || x > in.window.end) continue;
+        if (x < in.series.x.front() || x > in.series.x.back()) continue;
+        largest = std::max(largest.value_or(0), std::abs(interpolate(in.series, x) - in.reference.y[i]));
+    }
+    if (!largest) return {{}, "no point of the reference lies in the window"};
+    return {largest, {}};
+}
+
 MetricResult integral(const MetricInput& in) {
     return {integral_of(in.part), {}};
 }
@@ -139,6 +140,12 @@ const std::vector<Metric>& metrics() {
          "root mean square difference to a reference curve at 2000 equidistant instants, without a time "
          "shift",
          difference_to_reference},
+        {"largest_difference",
+         series,
+         {.reference = true, .whole_window = true},
+         true,
+         "largest difference to a reference curve at its points in the window, without a time shift",
+         largest_difference},
         {"integral", series_times_abscissa, window, false, "integral over the window (trapezoidal rule)",
          integral},
         {"change", series, window, false, "last value less the first", change},

@@ -13,21 +13,41 @@ namespace wetdeck {
 
 namespace {
 
-/// The row of a profile nearest to the instant.
-SeriesCurve profile_row(const Series& series, const std::string& name, const SeriesScaling& scaling,
-                        double x_offset) {
-    const double instant = *scaling.instant;
-    if (instant < series.time.front() || instant > series.time.back()) {
-        return {{},
-                fmt::format("series '{}' spans {:.6g} to {:.6g} s, not {:.6g}", name, series.time.front(),
-                            series.time.back(), instant)};
-    }
+/// The values of a profile in the row nearest to the instant.
+std::vector<double> values_at(const Series& series, double instant) {
     const auto after = std::lower_bound(series.time.begin(), series.time.end(), instant);
     auto row = static_cast<std::size_t>(after - series.time.begin());
     if (row > 0 && instant - series.time[row - 1] < *after - instant) --row;
+    const auto begin = series.value.begin() + static_cast<std::ptrdiff_t>(row * series.columns());
+    return {begin, begin + static_cast<std::ptrdiff_t>(series.columns())};
+}
+
+/// The means of the columns of a profile over an interval.
+std::vector<double> means_over(const Series& series, const Window& interval) {
+    std::vector<double> means;
+    for (std::size_t k = 0; k < series.columns(); ++k) {
+        Curve column{series.time, {}};
+        for (std::size_t row = 0; row < series.time.size(); ++row)
+            column.y.push_back(series.value[row * series.columns() + k]);
+        means.push_back(average(clip(column, interval)));
+    }
+    return means;
+}
+
+/// A profile at its instant, or its mean over the interval that begins there.
+SeriesCurve profile_curve(const Series& series, const std::string& name, const SeriesScaling& scaling,
+                          double x_offset) {
+    const double instant = *scaling.instant, end = instant + scaling.interval;
+    if (instant < series.time.front() || end > series.time.back() * (1 + 1e-9)) {
+        return {{},
+                fmt::format("series '{}' spans {:.6g} to {:.6g} s, not {:.6g}", name, series.time.front(),
+                            series.time.back(), instant < series.time.front() ? instant : end)};
+    }
+    const std::vector<double> values =
+        scaling.interval > 0 ? means_over(series, {instant, end}) : values_at(series, instant);
     SeriesCurve result;
     for (std::size_t k = 0; k < series.columns(); ++k) {
-        const double y = series.value[row * series.columns() + k] / scaling.y_scale - scaling.y_offset;
+        const double y = values[k] / scaling.y_scale - scaling.y_offset;
         if (!std::isfinite(y))
             return {{},
                     fmt::format("series '{}' is not finite at column {}, t = {:.6g} s", name, k, instant)};
@@ -55,7 +75,7 @@ SeriesCurve series_curve(const RunRecord& record, const std::string& name, const
     const FoundOrigin origin = find_origin(record, scaling);
     if (!origin.problem.empty())
         return {{}, fmt::format("time origin '{}': {}", scaling.origin, origin.problem)};
-    if (profile) return profile_row(series, name, scaling, origin.time);
+    if (profile) return profile_curve(series, name, scaling, origin.time);
     SeriesCurve result;
     for (std::size_t i = 0; i < series.time.size(); ++i) {
         const double x = (series.time[i] - origin.time) / scaling.x_scale;
@@ -114,6 +134,13 @@ Curve clip(const Curve& curve, const Window& window) {
     part.x.push_back(common->end);
     part.y.push_back(interpolate(curve, common->end));
     return part;
+}
+
+double average(const Curve& curve) {
+    double integral = 0;
+    for (std::size_t i = 1; i < curve.x.size(); ++i)
+        integral += 0.5 * (curve.y[i - 1] + curve.y[i]) * (curve.x[i] - curve.x[i - 1]);
+    return integral / (curve.x.back() - curve.x.front());
 }
 
 double rms_difference(const Curve& a, const Curve& b, const Window& window) {

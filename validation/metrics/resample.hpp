@@ -45,6 +45,9 @@ Window extent(const Curve& curve);
 /// The curve spans at least `required_coverage` of the window.
 bool covers(const Curve& curve, const Window& window);
 
+/// Average over the curve, which has two samples or more (trapezoidal rule).
+double average(const Curve& curve);
+
 /// Root mean square difference at `comparison_instants` equidistant instants of the window, both curves
 /// interpolated linearly.
 double rms_difference(const Curve& a, const Curve& b, const Window& window);

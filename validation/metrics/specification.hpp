@@ -35,7 +35,7 @@ struct TimeOrigin {
 };
 
 /// How a series becomes a curve: ((time - x_offset) / x_scale, value / y_scale - y_offset); of a profile, the
-/// row at one instant, with its abscissa in place of the time.
+/// row at one instant or the mean of an interval, with its abscissa in place of the time.
 struct SeriesScaling {
     double x_offset = 0;  ///< where the scaled abscissa is zero: an instant [s], or a place [m]
     double x_scale = 1;   ///< SI units per unit of the scaled abscissa
@@ -45,6 +45,7 @@ struct SeriesScaling {
     std::optional<double> instant = {};     ///< of the row of a profile, on the clock of the run [s]
     std::string origin = {};                ///< name of the time origin, empty if there is none
     std::optional<OriginEvent> event = {};  ///< of the time origin, instead of x_offset
+    double interval = 0;  ///< from the instant on, over which a profile is averaged [s]; 0: the row
 
     bool operator==(const SeriesScaling&) const = default;
 };
@@ -93,6 +94,7 @@ struct ComparisonSpec : SeriesScaling {
     double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
     std::string x_label;
     std::string y_label;
+    bool judged = true;        ///< else the reference is drawn beside the others and nothing is measured
     bool align_peaks = false;  ///< each curve is shifted until its largest value is at zero
 };
 
@@ -117,6 +119,10 @@ struct SensitivitySpec {
     double uncertainty = 0;  ///< standard, k = 1, in the unit of the key
     std::string source;      ///< of the uncertainty
 };
+
+/// The key that the study of the sound speed varies, and its shares of the variant's own.
+inline constexpr const char* sound_speed_key = "water.sound_speed";
+inline constexpr double sound_speed_shares[] = {0.5, 2.0};
 
 /// The cost of the source's own computation.
 struct SourceRun {
@@ -176,6 +182,9 @@ struct AnalysisSpec {
     std::vector<OriginEvent> contacts;          ///< geometric, of each body
     double sample_interval = 0;                 ///< of the series [s]
     std::vector<SensitivitySpec> sensitivities;
+    std::vector<std::string> sound_speed_variants;    ///< run at other sound speeds, too
+    std::vector<std::string> twice_sound_speed_with;  ///< KEY=VALUE of the run at twice the sound speed
+    double sound_speed = 0;                           ///< of the water in this variant [m/s]
     std::vector<Deviation> deviations;
     std::vector<SourceFigure> source_figures;
     std::vector<SourceStatement> statements;

@@ -54,6 +54,7 @@ struct ComparisonResult {
     bool available = true;  ///< false: no usable reference file, or a run that was asked to stop before the
                             ///< window; neither a success nor a failure
     bool unusable = false;  ///< why not `available`: the reference is there, but not sound or not comparable
+    bool judged = true;     ///< false: shown beside other references, without metrics and verdict
     std::string note;
     std::string x_label;
     std::string y_label;
@@ -143,7 +144,7 @@ struct ClassStatistics {
     std::optional<double> sigma_data, sigma_model;    ///< its two parts, where the data's is known
 };
 
-/// A run with one input changed.
+/// A run with one input changed: of the sensitivity study, or of that of the sound speed.
 struct SensitivityRun {
     std::string key;
     double value = 0;
@@ -156,6 +157,23 @@ struct SensitivityRow {
     double dx = 0, low = 0, high = 0, uncertainty = 0;
     double value_low = 0, value_high = 0;
     double u_input = 0;  ///< |value_high - value_low| / |high - low| * uncertainty
+};
+
+/// A quantity at several sound speeds; see sound_speed.hpp. Uncertainties are standard (k = 1).
+struct SoundSpeedRow {
+    std::string scene, variant, quantity, unit;
+    double dx = 0;                    ///< of the runs at several sound speeds [m]
+    std::vector<double> sound_speed;  ///< [m/s], rising
+    std::vector<double> value;        ///< at each
+    double sound_part = 0;            ///< of the value at the variant's sound speed: f(c) - f_inf
+    double u_sound = 0;               ///< of f_inf
+    double finest_dx = 0;             ///< of the suite [m]
+    double finest_value = 0;
+    std::optional<double> spacing_part;  ///< of it; empty unless the values converge monotonically
+    std::optional<double> u_num;
+    double limit = 0;  ///< finest_value - sound_part - spacing_part
+    std::optional<double> u_limit;
+    std::optional<double> expected;
 };
 
 /// Another code against the reference that gives the scene its error.
@@ -242,6 +260,7 @@ struct Summary {
     std::vector<PeerPoint> peers;
     std::vector<CheapestRow> cheapest;
     std::vector<SensitivityRow> sensitivity;
+    std::vector<SoundSpeedRow> sound_speed;
     std::vector<AblationRow> ablation;
     std::vector<StressRow> stress;
     std::vector<RunDoubt> doubts;

@@ -40,7 +40,8 @@ json comparison_json(const ComparisonResult& result) {
                 {"tolerance", result.tolerance},
                 {"within", result.within},
                 {"note", result.note}};
-    if (!result.available) all["kind"] = all["within"] = nullptr;
+    if (!result.available) all["kind"] = nullptr;
+    if (!result.available || !result.judged) all["within"] = nullptr;
     return all;
 }
 
@@ -122,6 +123,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"peers", summary.peers},
             {"cheapest", std::move(cheapest)},
             {"sensitivity", summary.sensitivity},
+            {"sound_speed", summary.sound_speed},
             {"verification", verification_list(summary.verification)},
             {"ablation", summary.ablation},
             {"stress", summary.stress},

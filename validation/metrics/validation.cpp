@@ -70,16 +70,10 @@ std::vector<Item> items_of(const AnalysisSpec& scene, const RunSummary& run) {
 
 void set_numerical(ValidationRow& row, const std::map<double, double>& values) {
     const ConvergenceRow verified = convergence({values.begin(), values.end()});
-    if (verified.gci_fine) {
-        row.u_num = 0.5 * *verified.gci_fine;
-        row.u_num_source = "GCI / 2";
-    } else if (verified.value.size() >= 3) {
-        const auto [low, high] = std::minmax_element(verified.value.end() - 3, verified.value.end());
-        row.u_num = *high - *low;
-        row.u_num_source = verified.verdict + ": range of three spacings";
-    } else {
-        row.u_num_source = "unknown: fewer than three spacings";
-    }
+    row.u_num = numerical_uncertainty(verified);
+    row.u_num_source = verified.gci_fine ? "GCI / 2"
+                       : row.u_num       ? verified.verdict + ": range of three spacings"
+                                         : "unknown: fewer than three spacings";
 }
 
 void combine(ValidationRow& row) {

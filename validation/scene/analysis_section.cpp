@@ -24,12 +24,12 @@ std::optional<Window> window(const TomlTable& table) {
 }
 
 /// A missing file is no error until the report is written; an analytic curve must exist.
-std::string read_reference(const TomlTable& table, std::string reference) {
+std::string read_reference(const TomlTable& table, const std::string& key, std::string reference) {
     if (!is_analytic(reference)) return reference;
     try {
         check_analytic(reference);
     } catch (const InputError& error) {
-        table.fail("reference", error.what());
+        table.fail(key, error.what());
     }
     return reference;
 }
@@ -44,14 +44,25 @@ std::string read_unit(const TomlTable& table, const QuantitySpec& q) {
     }
 }
 
-/// The instant at which a profile is taken; no other series has one.
-std::optional<double> read_instant(const TomlTable& table, const std::string& series,
-                                   const SeriesUnits& units) {
+/// Where a profile is taken: at one instant, or as the mean of an interval; no other series has one.
+void read_instant(const TomlTable& table, const std::string& series, const SeriesUnits& units,
+                  SeriesScaling& scaling) {
     const bool profile = units.x.series == "m";
-    if (profile == table.has("instant")) return table.optional_number("instant");
-    table.fail("instant", profile
-                              ? fmt::format("missing: series '{}' is a profile, taken at one instant", series)
-                              : fmt::format("expected none: series '{}' is no profile", series));
+    if (profile != table.has("instant"))
+        table.fail("instant",
+                   profile ? fmt::format("missing: series '{}' is a profile, taken at one instant or as the "
+                                         "mean of an interval",
+                                         series)
+                           : fmt::format("expected none: series '{}' is no profile", series));
+    if (!profile) return;
+    if (table.is_number("instant")) {
+        scaling.instant = table.number("instant");
+        return;
+    }
+    const std::vector<double> ends = table.numbers("instant", 2);
+    if (!(ends[0] < ends[1])) table.fail("instant", "expected a begin below its end");
+    scaling.instant = ends[0];
+    scaling.interval = ends[1] - ends[0];
 }
 
 QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
@@ -60,10 +71,10 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     q.metric = &metric_named(table.choice("metric", metric_names()));
     q.series = table.text("series");
     q.units = axes.read(table, q.series, q);
-    q.instant = read_instant(table, q.series, q.units);
+    read_instant(table, q.series, q.units, q);
     q.window = window(table);
     q.threshold = table.optional_number("threshold");
-    q.reference = read_reference(table, table.text_or("reference", ""));
+    q.reference = read_reference(table, "reference", table.text_or("reference", ""));
     q.y_column = table.text_or("y_column", "");
     q.unit = read_unit(table, q);
     q.expected = table.optional_number("expected");
@@ -94,23 +105,46 @@ bool aligns_peaks(const TomlTable& table) {
     return true;
 }
 
-ComparisonSpec read_comparison(const TomlTable& table, const Axes& axes) {
+/// One reference, or a list of references with the same columns.
+std::vector<std::string> compared_references(const TomlTable& table) {
+    if (!table.has("references")) return {read_reference(table, "reference", table.text("reference"))};
+    if (table.has("reference")) table.fail("references", "expected none beside 'reference'");
+    const std::vector<std::string> stems = table.texts("references");
+    if (stems.empty()) table.fail("references", "expected at least one reference");
+    for (const std::string& stem : stems) read_reference(table, "references", stem);
+    return stems;
+}
+
+/// One comparison for each reference, and one without a verdict for each that is only shown; those of lists
+/// have its name after the title.
+std::vector<ComparisonSpec> read_comparison(const TomlTable& table, const Axes& axes) {
     ComparisonSpec c;
     c.title = table.text("title");
     c.quantity = table.text("quantity");
-    c.reference = read_reference(table, table.text("reference"));
+    const std::vector<std::string> references = compared_references(table);
     c.x_column = table.text("x_column");
     c.y_column = table.text("y_column");
     c.units = axes.read(table, c.quantity, c);
     c.y_offset = table.number_or("y_offset", 0);
     c.align_peaks = aligns_peaks(table);
-    c.instant = read_instant(table, c.quantity, c.units);
+    read_instant(table, c.quantity, c.units, c);
     c.window = window(table);
     c.tolerance = table.positive("tolerance");
     c.x_label = table.text_or("x_label", c.x_column);
     c.y_label = table.text_or("y_label", c.y_column);
+    std::vector<ComparisonSpec> all(references.size(), c);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        all[k].reference = references[k];
+        if (table.has("references")) all[k].title += ", " + references[k];
+    }
+    for (const std::string& stem : table.texts("shown")) {
+        c.reference = read_reference(table, "shown", stem);
+        c.judged = false;
+        all.push_back(c);
+        all.back().title += ", " + stem;
+    }
     table.finish();
-    return c;
+    return all;
 }
 
 /// Whether an entry applies to the variant that is read; one without a list of variants applies to all.
@@ -148,8 +182,10 @@ void read_comparisons(const TomlTable& root, const Axes& axes, Scene& scene) {
     for (const TomlTable& table : root.tables("compare")) {
         table.choice("quantity", axes.series_names());
         const bool wanted = of_this_variant(table, scene);
-        const ComparisonSpec comparison = read_comparison(table, axes);
-        if (wanted) scene.analysis.comparisons.push_back(comparison);
+        const std::vector<ComparisonSpec> read = read_comparison(table, axes);
+        if (!wanted) continue;
+        std::vector<ComparisonSpec>& comparisons = scene.analysis.comparisons;
+        comparisons.insert(comparisons.end(), read.begin(), read.end());
     }
 }
 
@@ -169,6 +205,20 @@ void read_sensitivities(const TomlTable& root, AnalysisSpec& analysis) {
         table.finish();
         analysis.sensitivities.push_back(spec);
     }
+}
+
+void read_sound_speed_study(const TomlTable& root, Scene& scene) {
+    scene.analysis.sound_speed = scene.model.water.eos.sound_speed;
+    const std::optional<TomlTable> table = root.optional_table("sound_speed_study");
+    if (!table) return;
+    for (const std::string& name : table->texts("variants")) {
+        const auto same = [&](const VariantInfo& variant) { return variant.name == name; };
+        if (std::none_of(scene.variants.begin(), scene.variants.end(), same))
+            table->fail("variants", fmt::format("'{}' is not a variant of this scene", name));
+        scene.analysis.sound_speed_variants.push_back(name);
+    }
+    scene.analysis.twice_sound_speed_with = table->texts("twice_with");
+    table->finish();
 }
 
 void read_source_run(const TomlTable& root, AnalysisSpec& analysis) {
@@ -207,6 +257,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     read_deviations(root, analysis);
     read_sources(root, analysis);
     read_sensitivities(root, analysis);
+    read_sound_speed_study(root, scene);
     read_source_run(root, analysis);
     analysis.limits = root.texts("limits");
     analysis.error_quantity = root.text_or("error_quantity", "");

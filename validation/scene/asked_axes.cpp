@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -37,9 +38,10 @@ std::vector<Asked> all_asked(const AnalysisSpec& spec) {
 
 std::optional<std::string> unreached(const Asked& asked, double end_time) {
     const double end = (1 + 1e-9) * end_time;
-    if (asked.scaling.instant && *asked.scaling.instant > end)
-        return fmt::format("{} is taken at the instant {:.6g} s, after the end of the run at {:.6g} s",
-                           asked.name, *asked.scaling.instant, end_time);
+    const SeriesScaling& scaling = asked.scaling;
+    if (const double last = scaling.instant.value_or(0) + scaling.interval; last > end)
+        return fmt::format("{} is taken {} {:.6g} s, after the end of the run at {:.6g} s", asked.name,
+                           scaling.interval > 0 ? "up to" : "at the instant", last, end_time);
     if (asked.units.x.series != "s" || asked.scaling.event) return std::nullopt;
     const auto on_clock = [&](double x) { return asked.scaling.x_offset + x * asked.scaling.x_scale; };
     if (asked.abscissa && on_clock(*asked.abscissa) > end)
@@ -72,6 +74,19 @@ std::vector<std::string> unreached_times(const Scene& scene) {
     for (const Asked& asked : all_asked(scene.analysis))
         if (auto text = unreached(asked, scene.end_time)) found.push_back(std::move(*text));
     return found;
+}
+
+std::vector<AskedTime> asked_times(const Scene& scene) {
+    std::vector<AskedTime> all;
+    for (const Asked& asked : all_asked(scene.analysis)) {
+        const SeriesScaling& scaling = asked.scaling;
+        std::optional<double> last = scaling.instant;
+        const bool of_time = asked.units.x.series == "s" && !scaling.event;
+        if (!last && of_time && asked.window) last = scaling.x_offset + asked.window->end * scaling.x_scale;
+        if (!last && of_time) last = scene.end_time;
+        if (last) all.push_back({asked.name, asked.units.y.series, std::min(*last, scene.end_time)});
+    }
+    return all;
 }
 
 std::vector<std::string> doubtful_scales(const Scene& scene) {

@@ -15,6 +15,16 @@ namespace wetdeck {
 /// event are not known before the run and pass.
 std::vector<std::string> unreached_times(const Scene& scene);
 
+/// The last time that a quantity or comparison of the variant asks for.
+struct AskedTime {
+    std::string name;  ///< "quantity 'force_peak'"
+    std::string unit;  ///< of the series
+    double last = 0;   ///< on the clock of the run, its end at the latest [s]
+};
+
+/// Of all that count from a known time.
+std::vector<AskedTime> asked_times(const Scene& scene);
+
 /// One line for each plain scale that divides values of two dimensions, such as seconds and pascals, and for
 /// each scale with a unit that leaves one without a name.
 std::vector<std::string> doubtful_scales(const Scene& scene);

@@ -74,7 +74,7 @@ SeriesUnits Axes::read(const TomlTable& table, const std::string& series, Series
     const auto axes = std::find_if(series_.begin(), series_.end(),
                                    [&](const SeriesAxes& each) { return each.name == series; });
     SeriesUnits units;
-    units.place = table.place_of("reference");
+    units.place = table.place_of(table.has("references") ? "references" : "reference");
     units.x.series = axes->abscissa_unit;
     units.y.series = axes->unit;
     scaling.x_scale = read_scale(table, "x_scale", units.x);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/scene/wet_bodies.hpp"
+
 namespace wetdeck {
 namespace {
 
@@ -67,20 +69,29 @@ Extent extent_of(const Outline& outline) {
     return e;
 }
 
-double speed_of_body(const Scene& scene, const BodySpec& spec) {
-    const Extent extent = extent_of(spec.outline);
-    double level = scene.tank.low.y(), radius = 0;
+/// Top of the water below a body, or the floor.
+double level_below(const Scene& scene, const Extent& extent) {
+    double level = scene.tank.low.y();
     for (const Box& box : scene.water_boxes)
         if (box.low.x() < extent.high.x() && extent.low.x() < box.high.x())
             level = std::max(level, box.high.y());
+    return level;
+}
+
+/// Downwards, of a body that is free to fall [m/s^2].
+double falling_acceleration(const Scene& scene, const RigidBody& body) {
+    if (!body.free[1] || !(body.mass > 0)) return 0;
+    return std::max(0.0, -scene.model.gravity.y() - body.applied_force.y() / body.mass);
+}
+
+double speed_of_body(const Scene& scene, const BodySpec& spec) {
+    const Extent extent = extent_of(spec.outline);
+    double radius = 0;
     for (const Vec2& corner : spec.outline) radius = std::max(radius, (corner - spec.body.position).norm());
     const RigidBody& body = spec.body;
-    double falling = 0;
-    if (body.free[1] && body.mass > 0) {
-        const double down = -scene.model.gravity.y() - body.applied_force.y() / body.mass;
-        falling = 2 * std::max(0.0, down) * std::max(0.0, extent.low.y() - level);
-    }
-    return std::sqrt(body.velocity.squaredNorm() + falling) + radius * std::abs(body.angular_velocity);
+    const double height = std::max(0.0, extent.low.y() - level_below(scene, extent));
+    return std::sqrt(body.velocity.squaredNorm() + 2 * falling_acceleration(scene, body) * height) +
+           radius * std::abs(body.angular_velocity);
 }
 
 /// The outline after a time at the velocities that are given; degrees of freedom that are free stay.
@@ -112,6 +123,20 @@ Box faces_reached(const RigidBody& body, Box tank) {
 }
 
 }  // namespace
+
+std::optional<WaterEntry> water_entry(const Scene& scene, const BodySpec& spec) {
+    if (starts_in_water(scene, spec)) return std::nullopt;
+    const Extent extent = extent_of(spec.outline);
+    const double level = level_below(scene, extent), height = extent.low.y() - level;
+    if (level <= scene.tank.low.y() || height < 0) return std::nullopt;
+    const double down = -spec.body.velocity.y(), acceleration = falling_acceleration(scene, spec.body);
+    const double speed = std::sqrt(std::max(0.0, down * std::abs(down) + 2 * acceleration * height));
+    if (!(speed > 0)) return std::nullopt;
+    WaterEntry entry{speed, 2 * height / (speed + down), level, spec.outline.front()};
+    for (const Vec2& corner : spec.outline)
+        if (corner.y() < entry.keel.y()) entry.keel = corner;
+    return entry;
+}
 
 ExpectedSpeed fastest_expected_speed(const Scene& scene) {
     const double g = scene.model.gravity.norm();

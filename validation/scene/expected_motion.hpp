@@ -16,6 +16,18 @@ struct ExpectedSpeed {
     std::string of;    ///< "of body when it meets the water", ...
 };
 
+/// A body that starts above water and comes down to it.
+struct WaterEntry {
+    double speed = 0;          ///< downwards, where it meets the water [m/s]
+    double time = 0;           ///< of that [s]
+    double level = 0;          ///< of the water [m]
+    Vec2 keel = Vec2::Zero();  ///< the lowest corner at the start [m]
+};
+
+/// By free fall under the part of gravity that its applied force leaves, or at the velocity given; none for a
+/// body that starts in the water, has none below it, or does not come down.
+std::optional<WaterEntry> water_entry(const Scene& scene, const BodySpec& spec);
+
 /// The fastest of these speeds:
 ///     sqrt(g H)    of water that collapses, with H the largest step of its level,
 ///     sqrt(2 g d)  of water that falls by d to the floor or to other water,

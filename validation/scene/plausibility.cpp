@@ -14,6 +14,7 @@
 #include "solver/time/time_step.hpp"
 #include "validation/scene/asked_axes.hpp"
 #include "validation/scene/expected_motion.hpp"
+#include "validation/scene/slamming.hpp"
 #include "validation/scene/unused_values.hpp"
 #include "validation/scene/wet_bodies.hpp"
 
@@ -264,6 +265,7 @@ std::vector<std::string> narrow_gaps(const Scene& scene, double particle_spacing
 std::vector<std::string> doubtful(const Scene& scene) {
     Doubts found;
     doubt_fluids(scene, found);
+    for (std::string& text : doubtful_impacts(scene)) found.push_back(std::move(text));
     doubt_gravity(scene, found);
     doubt_ingredients(scene, found);
     doubt_initial(scene, found);
@@ -287,6 +289,7 @@ std::vector<std::string> remarks(const Scene& scene) {
     for (const BodySpec& spec : scene.bodies) {
         if (starts_in_water(scene, spec)) all.push_back(fmt::format("{} starts in the water", spec.name));
     }
+    for (std::string& text : impact_remarks(scene)) all.push_back(std::move(text));
     return all;
 }
 

@@ -13,6 +13,7 @@ namespace wetdeck {
 /// One line for each of these:
 /// - the water's sound speed is below ten times the fastest speed to expect (expected_motion.hpp): it is
 ///   compressed by more than 1 %;
+/// - a sound speed or a tank too small for slamming (slamming.hpp);
 /// - gravity points up or sideways, is tilted or larger than 20 m/s^2; water that is lighter than air;
 /// - a part of the tank that neither water nor air nor a body fills, in a scene with air;
 /// - initial.surface is not the top of any water; a column for the pressure of Greco that is higher than
@@ -39,7 +40,7 @@ std::vector<std::string> doubts_at_spacing(const Scene& scene, double particle_s
 std::vector<std::string> doubts_of_run(const Scene& scene, double particle_spacing,
                                        std::optional<double> until = std::nullopt);
 
-/// What is in order, but good to know: a body starts in the water.
+/// What is in order, but good to know: a body starts in the water, or has a flat bottom.
 std::vector<std::string> remarks(const Scene& scene);
 
 }  // namespace wetdeck

@@ -23,10 +23,18 @@ auto profile(F f) {
     };
 }
 
-/// Number of the body that the probe sits on: the first one if the file does not say.
-std::size_t body_number(const TomlTable& table, const Scene& scene) {
+/// Of the tank in the key `body` of a probe that may lie on either.
+constexpr const char* tank_name = "tank";
+
+std::vector<std::string> body_names(const Scene& scene) {
     std::vector<std::string> names;
     for (const BodySpec& body : scene.bodies) names.push_back(body.name);
+    return names;
+}
+
+/// Number of the body that the probe sits on: the first one if the file does not say.
+std::size_t body_number(const TomlTable& table, const Scene& scene) {
+    const std::vector<std::string> names = body_names(scene);
     if (names.empty()) table.fail("type", "needs a body, the scene has no [body]");
     const std::string name = table.choice("body", names, names.front());
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
@@ -142,7 +150,50 @@ Probe body_pressure(const TomlTable& table, const Scene& scene) {
                           {body.at_start(centre), body.at_start(centre)});
 }
 
+/// Whether a face of the tank is meant: where the file says so, or there is no body.
+bool on_tank(const TomlTable& table, const Scene& scene) {
+    if (!table.has("body")) return scene.bodies.empty();
+    std::vector<std::string> names = body_names(scene);
+    names.emplace_back(tank_name);
+    return table.choice("body", names) == tank_name;
+}
+
+/// Refuses a line that leaves one side of the tank.
+void check_wall_line(const TomlTable& table, const Scene& scene) {
+    const Vec2 from = point(table, "from"), to = point(table, "to");
+    if ((to - from).norm() == 0) table.fail("to", "is the same point as 'from'");
+    const FacePlace wall = nearest_wall(scene.tank, 0.5 * (from + to));
+    for (const char* key : {"from", "to"}) {
+        const Vec2 off = point(table, key) - 0.5 * (from + to);
+        const double away = (off - off.dot(wall.along) * wall.along).norm();
+        const double beyond =
+            std::abs(off.dot(wall.along)) - (off.dot(wall.along) > 0 ? wall.after : wall.before);
+        if (std::max({wall.distance, away, beyond}) > face_tolerance)
+            table.fail(key,
+                       fmt::format("the line from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is not part of {}: "
+                                   "expected two points of one side of the tank",
+                                   from.x(), from.y(), to.x(), to.y(), wall.name));
+    }
+}
+
+Probe tank_face_pressure(const TomlTable& table, const Scene& scene) {
+    check_wall_line(table, scene);
+    const Vec2 from = point(table, "from"), to = point(table, "to");
+    const std::size_t count = point_count(table);
+    std::vector<FacePoint> points;  // each in the middle of its share
+    for (const double share : midpoints(0, 1, count)) {
+        const Vec2 place = from + share * (to - from);
+        points.push_back({place, nearest_wall(scene.tank, place).normal});
+    }
+    Probe probe;
+    probe.series.abscissa = midpoints(0, (to - from).norm(), count);
+    probe.place = {from, to};
+    probe.sample = profile([points](const Simulation& s) { return face_pressures(s, points); });
+    return probe;
+}
+
 Probe face_pressure(const TomlTable& table, const Scene& scene) {
+    if (on_tank(table, scene)) return tank_face_pressure(table, scene);
     const Face face = read_face(table, scene);
     const BodySpec& body = scene.bodies[face.body];
     const std::size_t count = point_count(table);
@@ -248,7 +299,7 @@ std::span<const ProbeType> probe_types() {
          {"body"}},
         {"face_pressure",
          "Pa",
-         "gauge pressure along a face, by arc length from its first end [m]",
+         "gauge pressure along a face of a body, or of the tank, by arc length from its first end [m]",
          {"from", "to", "points"},
          face_pressure,
          {"body"}},

@@ -231,6 +231,11 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     scene.tank.high = {size[0], size[1]};
     tank.finish();
 
+    if (const std::optional<TomlTable> accepted = root.optional_table("accepted_doubts")) {
+        scene.accepted = {accepted->text_or("sound_speed", ""), accepted->text_or("echo", "")};
+        accepted->finish();
+    }
+
     read_model(root, scene);
     const TomlTable water = root.table("water");
     scene.water_boxes = read_boxes(water, scene.tank, {});

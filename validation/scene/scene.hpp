@@ -41,6 +41,12 @@ struct InitialPressure {
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
+/// Reasons why a scene lives with a doubt that `check` would raise; empty: it does not.
+struct AcceptedDoubts {
+    std::string sound_speed;  ///< of the water, too low for slamming
+    std::string echo;         ///< of the tank, inside a window
+};
+
 struct VariantInfo {
     std::string name;
     std::string description;
@@ -61,6 +67,7 @@ struct Scene {
     std::string air_law;        ///< of the air's sound speed, or empty
     std::string source_scheme;  ///< the scheme of the scene's source, or empty
     Box tank;
+    AcceptedDoubts accepted;
     std::vector<Box> water_boxes, air_boxes;
     std::vector<BodySpec> bodies;
     InitialPressure initial;

@@ -15,7 +15,11 @@ using Names = std::set<std::string>;
 Names compared_references(const TomlTable& root) {
     Names names;
     for (const char* key : {"quantities", "compare"}) {
-        for (const TomlTable& table : root.tables(key)) names.insert(table.text_or("reference", ""));
+        for (const TomlTable& table : root.tables(key)) {
+            names.insert(table.text_or("reference", ""));
+            for (const char* list : {"references", "shown"})
+                for (const std::string& stem : table.texts(list)) names.insert(stem);
+        }
     }
     return names;
 }

@@ -56,6 +56,29 @@ TEST_CASE("A plan has every spacing and both values of a varied input, the longe
     CHECK(estimated_core_seconds(rows) == sum);
 }
 
+TEST_CASE(
+    "A plan has a half and twice the sound speed of the variants that a scene names, at their coarsest "
+    "spacing",
+    "[plan]") {
+    SmallPlan plan;
+    const std::string scene = plan.options.scenes[0];
+    samples::put_bytes(scene, samples::bytes_of(scene) + "[sound_speed_study]\nvariants = [\"two-phase\"]\n");
+    const std::vector<SuiteRow> rows = suite_rows(plan.options);
+    REQUIRE(rows.size() == 6);
+    for (const std::string assignment : {"water.sound_speed=7", "water.sound_speed=28"}) {
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const SuiteRow& each) {
+            return each.overrides == std::vector<std::string>{assignment};
+        });
+        REQUIRE(row != rows.end());
+        CHECK(row->variant == "two-phase");
+        CHECK(row->particle_spacing == 0.04);
+        CHECK(row->directory == plan.options.directory / "sound_speed/small/two-phase" / assignment);
+    }
+    samples::put_bytes(scene, samples::small_scene + "[sound_speed_study]\nvariants = [\"three-phase\"]\n");
+    CHECK_THROWS_WITH(suite_rows(plan.options),
+                      Catch::Contains("key 'sound_speed_study.variants': 'three-phase' is not a variant"));
+}
+
 TEST_CASE("A row without a directory is neither finished nor interrupted", "[plan]") {
     const SmallPlan plan;
     for (const SuiteRow& row : suite_rows(plan.options)) {

@@ -203,6 +203,18 @@ TEST_CASE("A constant reference has nothing to normalise with", "[compare]") {
     CHECK_THAT(result.note, Catch::Contains("constant"));
 }
 
+TEST_CASE("A reference that is only shown has its curve and neither metrics nor a verdict", "[compare]") {
+    ComparisonSpec spec = spec_of("bump");
+    spec.judged = false;
+    const ComparisonResult result = result_of(spec, run_with(bump));
+    CHECK(result.available);
+    CHECK_FALSE(result.judged);
+    CHECK_FALSE(result.measured.x.empty());
+    CHECK_FALSE(result.simulated.x.empty());
+    CHECK_FALSE(result.nrmse.has_value());
+    CHECK(result.note == "shown, not judged");
+}
+
 TEST_CASE("Without a window the whole overlap is compared", "[compare]") {
     ComparisonSpec spec = spec_of("bump");
     spec.window.reset();

@@ -58,6 +58,7 @@ TEST_CASE("Each metric gives its number of a triangle", "[metric]") {
         {"first_crossing", 0.5},
         {"value_at", 0.5},
         {"rms_difference", 0.5},
+        {"largest_difference", 0.5},
         {"integral", 3.5},
         {"change", -1},
         {"first_peak_integral", 3.5},  // until x = 3, where half of the peak is left
@@ -67,6 +68,35 @@ TEST_CASE("Each metric gives its number of a triangle", "[metric]") {
         REQUIRE(expected.contains(metric.name));
         CHECK(evaluated(metric, 0.5).value.value() == Approx(expected.at(metric.name)));
     }
+}
+
+TEST_CASE("The largest difference is taken at the points of the reference in the window", "[metric]") {
+    const Metric& metric = metric_named("largest_difference");
+    const auto largest = [&](const Curve& reference, const Window& window) {
+        return metric.evaluate({triangle, clip(triangle, window), window, 0, reference});
+    };
+    struct Row {
+        Curve reference;
+        Window window;
+        double expected;
+    };
+    const std::vector<Row> rows = {{{{1, 3}, {1, 1}}, {0, 5}, 0},  // not at 2, where no point is
+                                   {{{1, 2, 3}, {1, 1, 1}}, {0, 5}, 1},
+                                   {{{1, 2, 3}, {1, 1, 1}}, {0, 1.5}, 0},
+                                   {{{1, 2, 3}, {1, 3, 1}}, {0, 5}, 1},
+                                   {{{0.5, 1.5}, {0.5, 1.25}}, {0, 5}, 0.25},
+                                   {{{1, 2, 3}, {1.1, 2.2, 0.7}}, {1, 3}, 0.3},
+                                   {{{1, 2, 3}, {1.1, 2.2, 0.7}}, {1, 2}, 0.2},
+                                   {{{1, 2, 3}, {1.1, 2.2, 0.7}}, {1, 1.5}, 0.1},
+                                   {{{-2, 1, 9}, {7, 0.5, 7}}, {-9, 9}, 0.5},  // outside the series
+                                   {{{4.5, 5}, {0.5, 0}}, {0, 5}, 1}};
+    for (const Row& row : rows) {
+        CAPTURE(row.reference.x, row.reference.y, row.window.begin, row.window.end);
+        CHECK(largest(row.reference, row.window).value.value() == Approx(row.expected).margin(1e-12));
+    }
+    const MetricResult none = largest({{1, 3}, {1, 1}}, {1.5, 2.5});
+    CHECK_FALSE(none.value);
+    CHECK(none.note == "no point of the reference lies in the window");
 }
 
 TEST_CASE("A quantity takes any metric that has a row and a function", "[metric]") {

@@ -85,3 +85,33 @@ TEST_CASE("the row of a profile nearest to an instant becomes a curve over its a
     CHECK_THAT(series_curve(record, "p").problem, Catch::Contains("several columns"));
     CHECK_THAT(series_curve(record, "p", {0, 1, 1, 0, 2.5}).problem, Catch::Contains("spans 0 to 2 s"));
 }
+
+TEST_CASE("a profile averaged over an interval has the means of its columns", "[resample]") {
+    // columns t and 10 - 2 t^2 at 0, 1, 2, 3, as linear pieces
+    const RunRecord record = record_with({"Pa", "", {0, 1, 2, 3}, {0, 10, 1, 8, 2, 2, 3, -8}, {0.1, 0.2}});
+    struct Row {
+        double begin, interval, first, second;
+    };
+    for (const Row& row : std::vector<Row>{{0, 1, 0.5, 9},
+                                           {0, 2, 1, 7},
+                                           {0, 3, 1.5, 11.0 / 3},
+                                           {1, 1, 1.5, 5},
+                                           {1, 2, 2, 1},
+                                           {2, 1, 2.5, -3},
+                                           {0.5, 0.5, 0.75, 8.5},
+                                           {0.5, 1, 1, 7.5},
+                                           {1.5, 1, 2, 1.5},
+                                           {2.5, 0.5, 2.75, -5.5}}) {
+        SeriesScaling scaling{0, 1, 1, 0, row.begin};
+        scaling.interval = row.interval;
+        const auto result = series_curve(record, "p", scaling);
+        CAPTURE(row.begin, row.interval);
+        REQUIRE(result.problem.empty());
+        CHECK(result.curve.x == std::vector<double>{0.1, 0.2});
+        CHECK(result.curve.y[0] == Approx(row.first));
+        CHECK(result.curve.y[1] == Approx(row.second));
+    }
+    SeriesScaling late{0, 1, 1, 0, 2.5};
+    late.interval = 1;
+    CHECK(series_curve(record, "p", late).problem == "series 'p' spans 0 to 3 s, not 3.5");
+}

@@ -100,6 +100,29 @@ TEST_CASE("Runs of the sensitivity study give the input uncertainty and are no r
     CHECK(summary.validation.at(0).u_val.has_value());
 }
 
+TEST_CASE("Runs at other sound speeds are shown beside the spacings and are no rows of the suite",
+          "[stored_report]") {
+    const samples::OwnReferences references;
+    const std::string scene = samples::small_scene + "\n[sound_speed_study]\nvariants = [\"two-phase\"]\n";
+    const samples::ScratchFolder folder;
+    samples::store_sweep(folder, 3, scene);
+    CHECK(contains(samples::bytes_of((make_report(folder), folder / "index.html")), "does not hold them"));
+    const double coarsest = analyse_directory(folder).convergence.at(0).dx.front();
+    for (const char* value : {"7", "28"}) {
+        RunRecord varied = samples::stored_run(coarsest, 1.0, scene);
+        varied.provenance["overrides"] = std::string("water.sound_speed=") + value;
+        samples::store(folder / (std::string("sound_speed/small/two-phase/water.sound_speed=") + value),
+                       varied);
+    }
+    const Summary summary = make_report(folder);
+    CHECK(summary.runs.size() == 3);
+    REQUIRE_FALSE(summary.sound_speed.empty());
+    CHECK(summary.sound_speed[0].sound_speed == std::vector<double>{7, 14, 28});
+    CHECK(contains(samples::bytes_of(folder / "index.html"), "7 / 14 / 28"));
+    const auto json = nlohmann::json::parse(samples::bytes_of(folder / "summary.json"));
+    CHECK(json["sound_speed"][0]["sound_speed"].size() == 3);
+}
+
 TEST_CASE("Ablation and stress results come back as they were written and are shown", "[stored_report]") {
     const samples::OwnReferences references;
     const samples::ScratchFolder folder;

@@ -197,7 +197,10 @@ TEST_CASE("a window or an instant that the run does not reach is doubted") {
         {"window = [0.0, 1.0]", "window = [0.0, 3.0]", ""},
         {"series = \"front\"\nx_scale = \"time\"", "series = \"film\"\ninstant = 0.3",
          "is taken at the instant 0.3 s"},
-        {"series = \"front\"\nx_scale = \"time\"", "series = \"film\"\ninstant = 0.1", ""}};
+        {"series = \"front\"\nx_scale = \"time\"", "series = \"film\"\ninstant = 0.1", ""},
+        {"series = \"front\"\nx_scale = \"time\"", "series = \"film\"\ninstant = [0.1, 0.3]",
+         "is taken up to 0.3 s, after the end"},
+        {"series = \"front\"\nx_scale = \"time\"", "series = \"film\"\ninstant = [0.1, 0.2]", ""}};
     for (const auto& [piece, instead, doubt] : table) {
         std::string text = samples::with(piece, instead);
         if (instead.find("film") != std::string::npos)

@@ -33,6 +33,11 @@ struct Refusal {
     std::string keys, key, message;
 };
 
+std::string on_tank(const std::string& from, const std::string& to, int points = 4) {
+    return fmt::format("type = \"face_pressure\"\nbody = \"tank\"\npoints = {}\nfrom = {}\nto = {}", points,
+                       from, to);
+}
+
 std::string gauge(const std::string& type, const std::string& centre, const std::string& diameter) {
     return fmt::format("type = \"{}\"\ncentre = {}\ndiameter = {}", type, centre, diameter);
 }
@@ -67,6 +72,18 @@ TEST_CASE("a probe is refused where it could never read", "[probe]") {
          "leaves the outline"},
         {"type = \"face_pressure\"\nfrom = [0.0, 0.0]\nto = [0.12, 0.05]\npoints = 4", "to",
          "leaves the outline"},
+        {on_tank("[1.0, 0.0]", "[0.9, 0.2]"), "from", "is not part of the right wall"},
+        {on_tank("[1.0, 0.0]", "[1.0, 0.6]"), "to", "is not part of the right wall"},
+        {on_tank("[1.0, -0.1]", "[1.0, 0.2]"), "from", "is not part of the right wall"},
+        {on_tank("[0.9, 0.1]", "[0.9, 0.2]"), "from", "expected two points of one side of the tank"},
+        {on_tank("[0.0, 0.0]", "[1.0, 0.48]"), "from", "expected two points of one side of the tank"},
+        {on_tank("[0.2, 0.0]", "[0.2, 0.0]"), "to", "is the same point as 'from'"},
+        {on_tank("[0.1, 0.01]", "[0.4, 0.01]"), "from", "is not part of the floor"},
+        {on_tank("[0.1, 0.48]", "[1.4, 0.48]"), "to", "is not part of the roof"},
+        {on_tank("[0.0, 0.3]", "[0.0, 0.5]"), "to", "is not part of the left wall"},
+        {on_tank("[0.1, 0.0]", "[0.4, 0.0]", 1), "points", "expected 2 to 10000"},
+        {"type = \"face_pressure\"\nbody = \"hull\"\nfrom = [0.0, 0.0]\nto = [0.12, 0.0]\npoints = 4", "body",
+         "is 'hull', expected one of body, tank"},
         {"type = \"air_film\"\nfrom = [0.06, 0.0]\nto = [0.12, 0.06]", "to", "leaves the outline of body"},
         {"type = \"air_film\"\nfrom = [0.06, 0.05]\nto = [0.12, 0.06]", "from", "off the outline of body"},
         {"type = \"front\"\nx_range = [1.0, 2.0]", "x_range", "1 to 2 m lies outside the tank"},
@@ -91,6 +108,12 @@ TEST_CASE("a gauge may lie anywhere on a face that its disc fits", "[probe]") {
         CHECK(refusal(probe(gauge("wall_pressure", centre, "0.04"))) == "");
     for (const char* centre : {"[0.02, 0.0]", "[0.1, 0.12]", "[0.0, 0.02]", "[0.12, 0.06]"})
         CHECK(refusal(probe(gauge("body_pressure", centre, "0.04"))) == "");
+}
+
+TEST_CASE("a profile on the tank needs no body", "[probe]") {
+    const std::string line = "type = \"face_pressure\"\npoints = 4\nfrom = [1.0, 0.0]\nto = [1.0, 0.48]\n";
+    const Scene scene = parse_scene(small_scene + "[[probes]]\nname = \"new\"\n" + line, "small.toml");
+    CHECK(scene.probes.back().series.abscissa == std::vector<double>{0.06, 0.18, 0.3, 0.42});
 }
 
 TEST_CASE("a face of a body goes on over short sides that turn little, and ends at a corner", "[probe]") {

@@ -232,25 +232,6 @@ TEST_CASE("a window that ends before it begins is refused") {
            "expected a begin below its end");
 }
 
-TEST_CASE("a profile is taken at an instant, and nothing else is") {
-    const std::string film =
-        samples::with("[[quantities]]",
-                      "[[probes]]\nname = \"film\"\ntype = \"free_surface\"\nlow = 0.0\nhigh = 1.0\n"
-                      "points = 11\n\n[[quantities]]");
-    const auto of_film = [&](const std::string& more) {
-        return samples::replaced(film, "series = \"front\"\nx_scale = \"time\"", "series = \"film\"" + more);
-    };
-    CHECK(samples::refusal(of_film("\ninstant = 0.1")).empty());
-    CHECK_THAT(
-        samples::refusal(of_film("")),
-        EndsWith("key 'quantities[0].instant': missing: series 'film' is a profile, taken at one instant"));
-    CHECK_THAT(samples::refusal(samples::with("metric = \"mean\"", "metric = \"mean\"\ninstant = 0.1")),
-               EndsWith("key 'quantities[0].instant': expected none: series 'front' is no profile"));
-    CHECK_THAT(samples::refusal(samples::with("reference = \"nobody_front\"",
-                                              "reference = \"nobody_front\"\ninstant = 0.1")),
-               EndsWith("key 'compare[0].instant': expected none: series 'front' is no profile"));
-}
-
 TEST_CASE("metrics without what they need are refused") {
     const auto metric = [](const std::string& name, const std::string& more = "") {
         return refusal(with("metric = \"mean\"", "metric = \"" + name + "\"\n" + more));

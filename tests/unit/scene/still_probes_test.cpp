@@ -56,6 +56,10 @@ std::string along_face(const std::string& from, const std::string& to) {
     return "type = \"face_pressure\"\npoints = 4\nfrom = " + from + "\nto = " + to;
 }
 
+std::string along_wall(const std::string& from, const std::string& to) {
+    return along_face(from, to) + "\nbody = \"tank\"";
+}
+
 const std::vector<Gauge> pressures = {
     {"floor", wall("[0.3, 0.0]", "0.06"), pressure_at(0)},
     {"floor, one spacing wide", wall("[0.3, 0.0]", "0.02"), pressure_at(0)},
@@ -73,6 +77,13 @@ const std::vector<Gauge> pressures = {
     {"along the top, from right to left", along_face("[0.12, 0.08]", "[0.0, 0.08]"), pressure_at(0.14)},
     {"along a side, downwards", along_face("[0.0, 0.08]", "[0.0, 0.0]"),
      [](std::size_t k) { return weight * (depth - (0.14 - 0.01 - 0.02 * static_cast<double>(k))); }},
+    {"along the floor", along_wall("[0.0, 0.0]", "[0.4, 0.0]"), pressure_at(0)},
+    {"along the floor, leftwards", along_wall("[0.4, 0.0]", "[0.04, 0.0]"), pressure_at(0)},
+    {"up the right wall from the corner", along_wall("[0.4, 0.0]", "[0.4, 0.16]"),
+     [](std::size_t k) { return weight * (depth - (0.02 + 0.04 * static_cast<double>(k))); }},
+    {"down the left wall", along_wall("[0.0, 0.16]", "[0.0, 0.0]"),
+     [](std::size_t k) { return weight * (depth - (0.14 - 0.04 * static_cast<double>(k))); }},
+    {"along the roof, dry", along_wall("[0.1, 0.3]", "[0.3, 0.3]"), pressure_at(0.3)},
 };
 
 }  // namespace
