@@ -50,6 +50,7 @@ void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volu
             walls.own_sum[b->index] += share;
         }
     }
+    for (double& sum : walls.own_sum) sum = std::min(sum, 1.0);  // rounding of the lattice
 }
 
 void place_bodies(Flow& flow) {

@@ -32,7 +32,7 @@ struct Flow {
 void measure_bodies(Flow& flow, double added_mass, Vec2 gravity);
 
 /// Sets the kernel sum of each boundary particle over those of the same body, or of the tank, itself
-/// included.
+/// included; 1 at most.
 /// @param volume  of each boundary particle [m^2]
 void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volume);
 
