@@ -126,6 +126,18 @@ TEST_CASE("A body thinner than the support is refused at that spacing and taken 
     CHECK_NOTHROW(particles_of(hull, 0.004));
 }
 
+TEST_CASE("A wide wedge is never taken for a thin one", "[outline]") {
+    // With this height the difference of the wedge and itself, shrunk and grown back, is the whole wedge in
+    // Boost.Geometry 1.74; a few of a thousand heights do.
+    const auto wedge = [](double height) { return Outline{{0, 0}, {0.25, height}, {-0.25, height}}; };
+    CHECK_NOTHROW(particles_of(wedge(0.14433756729740643), 0.005));
+    for (int k = 0; k < 300; ++k) {
+        const double height = 0.25 * std::tan((12 + 0.19 * k) * std::numbers::pi / 180);
+        CAPTURE(height);
+        CHECK_NOTHROW(particles_of(wedge(height), 0.002));
+    }
+}
+
 TEST_CASE("A wall of just three spacings under a deck is not hollow", "[outline]") {
     const Vec2 shift = GENERATE(Vec2(0, 0), Vec2(0.508, 0.570566), Vec2(-0.3, 1e3));
     Outline hull = {{0, 0}, {0.012, 0}, {0.012, 0.1}, {0.2, 0.1}, {0.2, 0.2}, {0, 0.2}};
