@@ -58,10 +58,11 @@ void add_sound_speed_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
         for (const double share : sound_speed_shares) {
             const std::string assignment = fmt::format("{}={}", sound_speed_key, share * own);
             std::vector<std::string> overrides = {assignment};
-            if (share > 1) {  // the echo is back sooner
-                const auto& larger = scene.analysis.twice_sound_speed_with;
+            const auto& larger = scene.analysis.twice_sound_speed_with;
+            if (share > 1)  // the echo is back sooner
                 overrides.insert(overrides.end(), larger.begin(), larger.end());
-            }
+            else
+                overrides.emplace_back("accepted_doubts.sound_speed=its effect is studied");
             const Scene varied = read_scene(find_scene(name), variant, overrides);
             check_row(varied, options.tier, dx);
             rows.push_back({name, variant, dx, estimate_cost(varied, dx).core_seconds, overrides,

@@ -123,7 +123,7 @@ std::vector<std::string> doubtful_impacts(const Scene& scene) {
     const double sound = scene.model.water.eos.sound_speed;
     const std::optional<FastestContactLine> line = fastest_contact_line(scene);
     if (line && scene.accepted.sound_speed.empty() &&
-        sound < (1 - 0.01) * sound_over_contact_line * line->speed)
+        sound < 0.95 * sound_over_contact_line * line->speed)
         found.push_back(fmt::format(
             "water.sound_speed is {:.4g} m/s: on the side of {:.3g} degrees of {}, which meets the water at "
             "{:.3g} m/s, the contact line moves at {:.3g} m/s (Wagner), and slamming forces come out too low "
