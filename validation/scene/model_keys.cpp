@@ -91,6 +91,9 @@ bool low_dissipation(const Scene& s) {
 bool low_dissipation_with_air(const Scene& s) {
     return low_dissipation(s) && s.air;
 }
+bool water_alone(const Scene& s) {
+    return !s.air;
+}
 bool linear_pressure_mean(const Scene& s) {  // the harmonic mean of pressures is singular without background
     return s.model.pressure_mean != Mean::harmonic;
 }
@@ -235,7 +238,7 @@ std::vector<ModelKey> rows() {
             flag(
                 "wall_wetting", &Model::wall_wetting,
                 "water without air feels a wall once it touches it; false: as soon as the kernel reaches it"),
-            "wetting of walls", false),
+            "wetting of walls", false, water_alone),
         // the switch needs the rates of each step of the air
         removable_with(
             flag("dissipation_switch", &Model::dissipation_switch, "switched dissipation", "Eqs. (14)-(15)"),

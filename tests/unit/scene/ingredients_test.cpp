@@ -32,12 +32,12 @@ TEST_CASE("only what a scene has can be left out of it") {
     CHECK(names(small("single-phase")) ==
           std::vector<std::string>{"hydrostatic correction", "water dissipation", "wall dissipation",
                                    "mirrored wall velocity", "Shepard wall pressure", "pressure diffusion",
-                                   "density bound"});
+                                   "density bound", "wetting of walls"});
     CHECK(names(small("single-phase", {"model.dissipation=riemann", "model.viscosity=symmetric",
                                        "model.wall_dissipation=0", "model.dissipation_switch=true"})) ==
           std::vector<std::string>{"viscosity", "hydrostatic correction", "Riemann dissipation",
                                    "mirrored wall velocity", "Shepard wall pressure", "pressure diffusion",
-                                   "density bound", "switched dissipation"});
+                                   "density bound", "wetting of walls", "switched dissipation"});
     // the harmonic mean of pressures needs the background
     const auto harmonic = names(small("two-phase", {"model.pressure_mean=harmonic"}));
     CHECK(std::count(harmonic.begin(), harmonic.end(), "background pressure") == 0);

@@ -75,7 +75,7 @@ std::string of_deadrise(double degrees) {
 }  // namespace
 
 TEST_CASE("the contact line moves at pi V / (2 tan b) along the flattest side") {
-    for (const double degrees : {5.0, 8.0, 10.0, 20.0, 25.0, 30.0, 37.0, 45.0, 60.0, 75.0}) {
+    for (const double degrees : {5.0, 8.0, 10.0, 20.0, 25.0, 30.0, 37.0, 45.0, 60.0, 64.0}) {
         CAPTURE(degrees);
         const auto line = fastest_contact_line(wedge({of_deadrise(degrees)}));
         REQUIRE(line);
@@ -143,10 +143,10 @@ TEST_CASE("a force that is asked for after the echo of floor or sides is doubted
     }
     const std::vector<std::vector<std::string>> in_order = {
         {},
-        {"water.sound_speed=125"},                         // back at 12.8 + 2.5 ms
-        {"water.sound_speed=200", "run.end_time=0.0104"},  // ends before
-        {"water.sound_speed=1100"},                        // of nearly real water: the tank's own
-        {"water.sound_speed=200", "accepted_doubts.echo=the experiment's tank"},
+        {"water.sound_speed=125"},                          // back at 12.8 + 2.5 ms
+        {"water.sound_speed=160", "run.end_time=0.01249"},  // back at 10 + 2.5 ms
+        {"water.sound_speed=1100"},                         // of nearly real water: the tank's own
+        {"water.sound_speed=200", "accepted_doubts.echo=as in the experiment"},
         {"water.sound_speed=200", "body.velocity_y=2.0"},  // leaves
     };
     for (const auto& overrides : in_order) {
