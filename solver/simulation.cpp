@@ -8,6 +8,7 @@
 
 #include "solver/bodies/contact.hpp"
 #include "solver/core/errors.hpp"
+#include "solver/physics/wetting.hpp"
 #include "solver/setup/lattice.hpp"
 
 namespace wetdeck {
@@ -23,7 +24,7 @@ RatesSetup checked(const SimulationSetup& setup) {
     if (setup.model.periodic_x && (!setup.bodies.empty() || setup.model.sponge_thickness > 0))
         throw InputError("a periodic domain can have neither bodies nor a sponge layer");
     const bool two_phase = setup.fluid.water > 0 && setup.fluid.water < setup.fluid.size();
-    result.model.wall_wetting = setup.model.wall_wetting && !two_phase && !setup.model.periodic_x;
+    result.model.wall_wetting = wets_walls(setup.model, two_phase);
     result.model.air_substeps = two_phase ? air_substeps(setup.model) : 1;
     if (result.execution.threads <= 0) result.execution.threads = omp_get_max_threads();
     return result;

@@ -10,7 +10,15 @@
 
 #include <algorithm>
 
+#include "solver/physics/model.hpp"
+
 namespace wetdeck {
+
+/// Whether the walls of a run are wetted: with air there is no gap, and at the ends of a periodic domain the
+/// kernel sums of walls are not whole.
+inline bool wets_walls(const Model& model, bool two_phase) {
+    return model.wall_wetting && !two_phase && !model.periodic_x;
+}
 
 /// Cover of a boundary particle from the kernel sums over the water in front of it and over the walls of the
 /// same body; a particle deep inside a body, whose support is full of walls, has none.

@@ -96,7 +96,7 @@ TEST_CASE("ablate judges every ingredient, reuses its runs, and shows its table 
     CHECK_THAT(first.out, Contains("hydrostatic correction") && Contains("needed: unstable without it"));
 
     const json rows = json_in(folder / "out/ablation.json").at("rows");
-    REQUIRE(rows.size() == 7 + 1 + 7);
+    REQUIRE(rows.size() == 8 + 1 + 8);
     const json summary = json_in(folder / "out/summary.json");
     CHECK(summary.at("ablation") == rows);
     REQUIRE(summary.at("runs").size() == 1);  // runs of the study are no runs of the scene

@@ -50,6 +50,9 @@ air = false
 [run]
 end_time = 0.06
 sample_interval = 0.001
+[accepted_doubts]
+sound_speed = "the time of contact alone counts here"
+
 [variants.water]
 [time_origins]
 contact = {}

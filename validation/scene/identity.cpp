@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "solver/physics/wetting.hpp"
 #include "solver/scheme_revision.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/scene/model_keys.hpp"
@@ -53,6 +54,7 @@ json parameters_json(const Scene& scene) {
 json setup_json(const Scene& scene) {
     Scene resolved = scene;
     resolved.model.air_substeps = scene.air ? air_substeps(scene.model) : 1;
+    resolved.model.wall_wetting = wets_walls(scene.model, scene.air);
     resolved.execution.threads = 0;
     json bodies = json::array();
     for (const BodySpec& body : scene.bodies) bodies.push_back(body_json(body));
