@@ -15,6 +15,7 @@
 #include "validation/scene/asked_axes.hpp"
 #include "validation/scene/expected_motion.hpp"
 #include "validation/scene/slamming.hpp"
+#include "validation/scene/trapped_air.hpp"
 #include "validation/scene/unused_values.hpp"
 #include "validation/scene/wet_bodies.hpp"
 
@@ -270,6 +271,7 @@ std::vector<std::string> doubtful(const Scene& scene) {
     doubt_ingredients(scene, found);
     doubt_initial(scene, found);
     doubt_empty_space(scene, found);
+    if (auto text = doubtful_trapped_air(scene)) found.push_back(std::move(*text));
     for (const BodySpec& spec : scene.bodies)
         doubt_mass(spec, scene.model.water.eos.reference_density, found);
     for (const BodySpec& spec : scene.bodies) doubt_half_section(spec, found);

@@ -13,6 +13,7 @@ namespace wetdeck {
 /// One line for each of these:
 /// - the water's sound speed is below ten times the fastest speed to expect (expected_motion.hpp): it is
 ///   compressed by more than 1 %;
+/// - water that falls on air which it encloses (trapped_air.hpp);
 /// - a sound speed or a tank too small for slamming (slamming.hpp);
 /// - gravity points up or sideways, is tilted or larger than 20 m/s^2; water that is lighter than air;
 /// - a part of the tank that neither water nor air nor a body fills, in a scene with air;

@@ -8,6 +8,7 @@
 
 #include "tests/unit/scene/scene_samples.hpp"
 #include "validation/scene/plausibility.hpp"
+#include "validation/scene/trapped_air.hpp"
 
 using namespace wetdeck;
 using Catch::Contains;
@@ -68,6 +69,31 @@ TEST_CASE("a body that starts in the water is told") {
     REQUIRE(remarks(with_plate({deep})).size() == 1);
     CHECK_THAT(remarks(with_plate({deep}))[0], Contains("starts in the water"));
     CHECK(doubts_of({deep}).empty());
+}
+
+TEST_CASE("air is squeezed until the fall has no energy left, and below a third that is doubted") {
+    // B w(x) = weight (1 - x) for gamma = 2: w = 1/x - 1 - (1 - x) = (1 - x)^2 / x, so that x = B / (B +
+    // weight)
+    for (const double ratio : {0.1, 0.5, 1.0, 2.0, 10.0})
+        CHECK(squeezed_share(ratio * 1000, 1000, 2) == Approx(1 / (1 + ratio)));
+    CHECK(squeezed_share(500, 1000, 1) == Approx(squeezed_share(500, 1000, 1 + 1e-6)));
+    // 0.2 m of water over 0.1 m of air in the whole tank: 1962 Pa
+    const auto doubts = [](const char* air, const char* floor) {
+        return doubtful(parse_scene(samples::small_scene, "small.toml", std::nullopt,
+                                    {std::string("air.sound_speed=") + air, "model.background_pressure=0",
+                                     std::string("water.boxes=[[0.0, ") + floor + ", 1.0, 0.3]]",
+                                     std::string("air.boxes=[[0.0, 0.3, 1.0, 0.48]") +
+                                         (floor == std::string("0.0") ? "]" : ", [0.0, 0.0, 1.0, 0.1]]"),
+                                     "initial.surface=0.3", "water.sound_speed=40"}));
+    };
+    const auto soft = doubts("20", "0.1");
+    CAPTURE(soft);
+    REQUIRE(std::count_if(soft.begin(), soft.end(), [](const std::string& d) {
+                return d.find("squeezes it to about") != std::string::npos;
+            }) == 1);
+    for (const auto& none : {doubts("200", "0.1"), doubts("20", "0.0")})
+        CHECK(std::none_of(none.begin(), none.end(),
+                           [](const std::string& d) { return d.find("squeezes") != std::string::npos; }));
 }
 
 TEST_CASE("a mass in tonnes or grams is doubted") {
