@@ -14,7 +14,7 @@ std::string signed_number(double value) {
 /// "13.1 / 14.0 / 14.3"
 std::string listed(const std::vector<double>& values) {
     std::string all;
-    for (const double each : values) all += (all.empty() ? "" : " / ") + number(each);
+    for (const double each : values) all += (all.empty() ? "" : " / ") + number(each, 4);
     return all;
 }
 
