@@ -215,7 +215,7 @@ Problem heave_decay() {
          "half of what radiation takes, 0.27: with more the scheme's damping could not be told from it. "
          "Dissipation "
          "about the pontoon acts in a strip of one smoothing length: first order",
-         "0.17, 0.078 and 0.037 at 40, 20 and 10 mm, order 1.1; 0.125 and 0.050 at the first two before the "
+         "0.15, 0.072 and 0.035 at 40, 20 and 10 mm, order 1.1; 0.125 and 0.050 at the first two before the "
          "density of water was bounded by its cover. Why is not known."},
         {"heave_trough", "error of the depth of the first trough over the height of the start", resolution,
          0.1, Window{0.5, 2.5}, "the decrement's bound, in amplitude; first order",
