@@ -118,6 +118,10 @@ std::string svg_address(std::string_view svg) {
     return out;
 }
 
+std::string signed_number(double value, int digits) {
+    return fmt::format("{}{}", value > 0 ? "+" : "", number(value, digits));
+}
+
 std::string number(double value, int digits) {
     if (!std::isfinite(value)) return "not finite";
     if (value == 0) return "0";

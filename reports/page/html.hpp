@@ -33,7 +33,9 @@ std::string svg_address(std::string_view svg);
 /// At most `digits` significant digits: 0.0123, 0.000123, 12300, 1.23 × 10⁻⁵ (UTF-8); "not finite" for NaN
 /// and infinities.
 std::string number(double value, int digits = 3);
-/// The same, with the unit unless it is "-"; an em dash for an empty value.
+/// The same, with a plus sign where it is positive.
+std::string signed_number(double value, int digits = 3);
+/// As number, with the unit unless it is "-"; an em dash for an empty value.
 std::string number_with_unit(std::optional<double> value, std::string_view unit, int digits = 3);
 /// Numbers from coarse to fine, with arrows between them; an em dash for none.
 std::string joined(const std::vector<double>& values, int digits = 3);

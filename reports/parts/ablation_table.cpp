@@ -12,9 +12,8 @@ std::string ablation_table(const Summary& summary, const AnalysisSpec& scene) {
         "compact");
     for (const AblationRow& row : summary.ablation) {
         if (row.scene != scene.scene) continue;
-        const std::string sign = row.error_change.value_or(0) > 0 ? "+" : "";
         table.add({text(row.ingredient), value(row.dx, "-", 4), value(row.core_s_ratio),
-                   text(row.error_change ? sign + number(*row.error_change) : "—"),
+                   text(row.error_change ? signed_number(*row.error_change) : "—"),
                    markup(row.needed ? "<span class=\"badge good\">needed</span>"
                                      : "<span class=\"badge warn\">not shown to be needed</span>")});
     }

@@ -7,10 +7,6 @@
 namespace wetdeck::report {
 namespace {
 
-std::string signed_number(double value) {
-    return fmt::format("{}{}", value > 0 ? "+" : "", number(value));
-}
-
 /// "13.1 / 14.0 / 14.3"
 std::string listed(const std::vector<double>& values) {
     std::string all;

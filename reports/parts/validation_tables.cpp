@@ -13,11 +13,10 @@ Cell or_unknown(std::optional<double> number_or_nothing) {
 }
 
 std::string error_text(const ValidationRow& row) {
-    const std::string sign = row.error > 0 ? "+" : "";
     const std::string spread = row.u_val         ? " ± " + number(*row.u_val)
                                : row.u_known > 0 ? ", u_val at least " + number(row.u_known)
                                                  : ", u_val unknown";
-    return sign + number(row.error) + spread;
+    return signed_number(row.error) + spread;
 }
 
 /// "0.54 / 0.57", simulated over reference.

@@ -82,7 +82,7 @@ WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
         const Pack weight = WendlandC2::gradient_shape(s.distance, inverse_h);
         if constexpr (terms.water) {
             const Pack kernel = WendlandC2::shape(s.distance, inverse_h);
-            kernel_sum += kernel;
+            if constexpr (terms.kernel_sum) kernel_sum += kernel;
             const Pack open = kernel * (1 - in.wall_own_sum[index]);
             room += open;
             wet += open * in.wall_mean[index].wetness;

@@ -284,6 +284,16 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
     return rates;
 }
 
+double difference(const std::vector<double>& found, const std::vector<double>& expected, std::size_t first,
+                  std::size_t last) {
+    double worst = 0, scale = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        worst = std::max(worst, std::abs(found[i] - expected[i]));
+        scale = std::max(scale, std::abs(expected[i]));
+    }
+    return worst / scale;
+}
+
 Vec2 reference_pair_force(const FluidParticles& fluid, std::size_t i, std::size_t j, const Model& model,
                           double particle_spacing) {
     const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};

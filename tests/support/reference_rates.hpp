@@ -22,6 +22,10 @@ struct Rates {
 Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, const Model& model,
                       double particle_spacing);
 
+/// Largest difference over the largest expected value, over the particles [first, last).
+double difference(const std::vector<double>& found, const std::vector<double>& expected, std::size_t first,
+                  std::size_t last);
+
 /// 2 V_i V_j P* |dW/dr| e_ij: what particle i gives to particle j [N/m].
 Vec2 reference_pair_force(const FluidParticles& fluid, std::size_t i, std::size_t j, const Model& model,
                           double particle_spacing);

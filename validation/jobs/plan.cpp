@@ -25,6 +25,17 @@ std::string identity_of(const SuiteRow& row) {
     return identity_of(scene, options);
 }
 
+/// The row of a scene that was read with overrides.
+SuiteRow varied_row(const std::string& name, const Scene& varied, double particle_spacing,
+                    const fs::path& directory) {
+    return {name,
+            varied.variant,
+            particle_spacing,
+            estimate_cost(varied, particle_spacing).core_seconds,
+            varied.overrides,
+            directory};
+}
+
 /// Two rows for each input that the scene varies.
 void add_sensitivity_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, const std::string& name,
                           const Scene& scene) {
@@ -35,13 +46,8 @@ void add_sensitivity_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
     for (const SensitivitySpec& spec : scene.analysis.sensitivities) {
         for (const double value : {spec.low, spec.high}) {
             const std::string assignment = fmt::format("{}={}", spec.key, value);
-            const Scene varied = read_scene(find_scene(name), scene.variant, {assignment});
-            rows.push_back({name,
-                            scene.variant,
-                            dx,
-                            estimate_cost(varied, dx).core_seconds,
-                            {assignment},
-                            sensitivity_path(options.directory, scene.name(), assignment)});
+            rows.push_back(varied_row(name, read_scene(find_scene(name), scene.variant, {assignment}), dx,
+                                      sensitivity_path(options.directory, scene.name(), assignment)));
         }
     }
 }
@@ -65,8 +71,9 @@ void add_sound_speed_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
                 overrides.emplace_back("accepted_doubts.sound_speed=its effect is studied");
             const Scene varied = read_scene(find_scene(name), variant, overrides);
             check_row(varied, options.tier, dx);
-            rows.push_back({name, variant, dx, estimate_cost(varied, dx).core_seconds, overrides,
-                            options.directory / sound_speed_folder / scene.name() / variant / assignment});
+            rows.push_back(
+                varied_row(name, varied, dx,
+                           options.directory / sound_speed_folder / scene.name() / variant / assignment));
         }
     }
 }

@@ -36,10 +36,16 @@ std::vector<Asked> all_asked(const AnalysisSpec& spec) {
     return all;
 }
 
+/// The instant of a profile, or the end of the interval over which it is averaged.
+std::optional<double> last_instant(const SeriesScaling& scaling) {
+    if (!scaling.instant) return std::nullopt;
+    return *scaling.instant + scaling.interval;
+}
+
 std::optional<std::string> unreached(const Asked& asked, double end_time) {
     const double end = (1 + 1e-9) * end_time;
     const SeriesScaling& scaling = asked.scaling;
-    if (const double last = scaling.instant.value_or(0) + scaling.interval; last > end)
+    if (const double last = last_instant(scaling).value_or(0); last > end)
         return fmt::format("{} is taken {} {:.6g} s, after the end of the run at {:.6g} s", asked.name,
                            scaling.interval > 0 ? "up to" : "at the instant", last, end_time);
     if (asked.units.x.series != "s" || asked.scaling.event) return std::nullopt;
@@ -80,7 +86,7 @@ std::vector<AskedTime> asked_times(const Scene& scene) {
     std::vector<AskedTime> all;
     for (const Asked& asked : all_asked(scene.analysis)) {
         const SeriesScaling& scaling = asked.scaling;
-        std::optional<double> last = scaling.instant;
+        std::optional<double> last = last_instant(scaling);
         const bool of_time = asked.units.x.series == "s" && !scaling.event;
         if (!last && of_time && asked.window) last = scaling.x_offset + asked.window->end * scaling.x_scale;
         if (!last && of_time) last = scene.end_time;

@@ -6,23 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "validation/scene/faces.hpp"
 #include "validation/scene/wet_bodies.hpp"
 
 namespace wetdeck {
 namespace {
 
 constexpr double tolerance = 1e-9;  // of lengths [m]
-
-/// Middles of the intervals between all ends of the boxes of water.
-std::vector<double> columns(const Scene& scene) {
-    std::vector<double> ends = {scene.tank.low.x(), scene.tank.high.x()};
-    for (const Box& box : scene.water_boxes) ends.insert(ends.end(), {box.low.x(), box.high.x()});
-    std::sort(ends.begin(), ends.end());
-    std::vector<double> middles;
-    for (std::size_t k = 1; k < ends.size(); ++k)
-        if (ends[k] - ends[k - 1] > tolerance) middles.push_back(0.5 * (ends[k] + ends[k - 1]));
-    return middles;
-}
 
 bool in_column(const Box& box, double x) {
     return box.low.x() <= x && x <= box.high.x();
@@ -38,7 +28,7 @@ double support_below(const Scene& scene, double x, double height) {
 
 double highest_step(const Scene& scene) {
     double low = scene.tank.high.y(), high = scene.tank.low.y();
-    for (const double x : columns(scene)) {
+    for (const double x : column_middles(scene)) {
         const double level = support_below(scene, x, scene.tank.high.y());
         low = std::min(low, level);
         high = std::max(high, level);
@@ -50,27 +40,14 @@ double highest_step(const Scene& scene) {
 double deepest_fall(const Scene& scene) {
     double deepest = 0;
     for (const Box& box : scene.water_boxes)
-        for (const double x : columns(scene))
+        for (const double x : column_middles(scene))
             if (in_column(box, x))
                 deepest = std::max(deepest, box.low.y() - support_below(scene, x, box.low.y()));
     return deepest;
 }
 
-struct Extent {
-    Vec2 low, high;
-};
-
-Extent extent_of(const Outline& outline) {
-    Extent e{outline.front(), outline.front()};
-    for (const Vec2& corner : outline) {
-        e.low = e.low.cwiseMin(corner);
-        e.high = e.high.cwiseMax(corner);
-    }
-    return e;
-}
-
 /// Top of the water below a body, or the floor.
-double level_below(const Scene& scene, const Extent& extent) {
+double level_below(const Scene& scene, const Box& extent) {
     double level = scene.tank.low.y();
     for (const Box& box : scene.water_boxes)
         if (box.low.x() < extent.high.x() && extent.low.x() < box.high.x())
@@ -85,7 +62,7 @@ double falling_acceleration(const Scene& scene, const RigidBody& body) {
 }
 
 double speed_of_body(const Scene& scene, const BodySpec& spec) {
-    const Extent extent = extent_of(spec.outline);
+    const Box extent = extent_of(spec.outline);
     double radius = 0;
     for (const Vec2& corner : spec.outline) radius = std::max(radius, (corner - spec.body.position).norm());
     const RigidBody& body = spec.body;
@@ -124,9 +101,19 @@ Box faces_reached(const RigidBody& body, Box tank) {
 
 }  // namespace
 
+std::vector<double> column_middles(const Scene& scene) {
+    std::vector<double> ends = {scene.tank.low.x(), scene.tank.high.x()};
+    for (const Box& box : scene.water_boxes) ends.insert(ends.end(), {box.low.x(), box.high.x()});
+    std::sort(ends.begin(), ends.end());
+    std::vector<double> middles;
+    for (std::size_t k = 1; k < ends.size(); ++k)
+        if (ends[k] - ends[k - 1] > tolerance) middles.push_back(0.5 * (ends[k] + ends[k - 1]));
+    return middles;
+}
+
 std::optional<WaterEntry> water_entry(const Scene& scene, const BodySpec& spec) {
     if (starts_in_water(scene, spec)) return std::nullopt;
-    const Extent extent = extent_of(spec.outline);
+    const Box extent = extent_of(spec.outline);
     const double level = level_below(scene, extent), height = extent.low.y() - level;
     if (level <= scene.tank.low.y() || height < 0) return std::nullopt;
     const double down = -spec.body.velocity.y(), acceleration = falling_acceleration(scene, spec.body);

@@ -16,6 +16,9 @@ struct ExpectedSpeed {
     std::string of;    ///< "of body when it meets the water", ...
 };
 
+/// Middles of the intervals between all ends of the boxes of water and the walls of the tank [m].
+std::vector<double> column_middles(const Scene& scene);
+
 /// A body that starts above water and comes down to it.
 struct WaterEntry {
     double speed = 0;          ///< downwards, where it meets the water [m/s]

@@ -44,6 +44,14 @@ double length_beside(const Outline& outline, std::size_t first, std::size_t step
     return length;
 }
 
+}  // namespace
+
+Box extent_of(const Outline& outline) {
+    Box extent{outline.front(), outline.front()};
+    for (const Vec2& corner : outline) extent = {extent.low.cwiseMin(corner), extent.high.cwiseMax(corner)};
+    return extent;
+}
+
 bool counter_clockwise(const Outline& outline) {
     double twice_area = 0;
     for (std::size_t k = 0; k < outline.size(); ++k) {
@@ -52,8 +60,6 @@ bool counter_clockwise(const Outline& outline) {
     }
     return twice_area > 0;
 }
-
-}  // namespace
 
 FacePlace nearest_wall(const Box& tank, Vec2 point) {
     const Vec2 low = tank.low, high = tank.high;

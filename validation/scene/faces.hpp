@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces of the tank and of bodies, on which probes lie.
+// Outlines of bodies, and the faces of bodies and tank on which probes lie.
 //
 // A face of a body is a run of sides of its outline whose directions differ by less than 10 degrees from that
 // of the side in question: a straight side, or a curve drawn with short pieces.
@@ -25,6 +25,12 @@ struct FacePlace {
 
 /// Beyond it a point does not lie on a face, and a disc leaves it [m].
 inline constexpr double face_tolerance = 1e-6;
+
+/// The smallest box around an outline.
+Box extent_of(const Outline& outline);
+
+/// Whether the corners of an outline follow each other with the body on the left.
+bool counter_clockwise(const Outline& outline);
 
 /// Of the floor, the roof and the two walls; `along` is the axis x or y.
 FacePlace nearest_wall(const Box& tank, Vec2 point);

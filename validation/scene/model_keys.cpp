@@ -234,11 +234,9 @@ std::vector<ModelKey> rows() {
         removable(number("full_kernel_sum", &Model::full_kernel_sum, {0, 1},
                          "kernel sum from which the density of water may rise; 0: any"),
                   "density bound", 0.0),
-        removable(
-            flag(
-                "wall_wetting", &Model::wall_wetting,
-                "water without air feels a wall once it touches it; false: as soon as the kernel reaches it"),
-            "wetting of walls", false, water_alone),
+        removable(flag("wall_wetting", &Model::wall_wetting,
+                       "water without air feels walls that it touches; false: all within the support"),
+                  "wetting of walls", false, water_alone),
         // the switch needs the rates of each step of the air
         removable_with(
             flag("dissipation_switch", &Model::dissipation_switch, "switched dissipation", "Eqs. (14)-(15)"),

@@ -14,6 +14,7 @@
 #include "solver/time/time_step.hpp"
 #include "validation/scene/asked_axes.hpp"
 #include "validation/scene/expected_motion.hpp"
+#include "validation/scene/faces.hpp"
 #include "validation/scene/slamming.hpp"
 #include "validation/scene/trapped_air.hpp"
 #include "validation/scene/unused_values.hpp"
@@ -241,15 +242,10 @@ std::vector<std::string> narrow_gaps(const Scene& scene, double particle_spacing
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const BodySpec& body = scene.bodies[b];
         if (!starts_in_water(scene, body)) continue;
-        double left = std::numeric_limits<double>::infinity(), right = left, below = left;
-        for (const Vec2& corner : body.outline) {
-            left = std::min(left, corner.x() - scene.tank.low.x());
-            right = std::min(right, scene.tank.high.x() - corner.x());
-            below = std::min(below, corner.y() - scene.tank.low.y());
-        }
-        doubt(body, "the floor", below);
-        doubt(body, "the left wall", left);
-        doubt(body, "the right wall", right);
+        const Box extent = extent_of(body.outline);
+        doubt(body, "the floor", extent.low.y() - scene.tank.low.y());
+        doubt(body, "the left wall", extent.low.x() - scene.tank.low.x());
+        doubt(body, "the right wall", scene.tank.high.x() - extent.high.x());
         for (std::size_t o = 0; o < b; ++o) {
             const Outline& other = scene.bodies[o].outline;
             double gap = std::numeric_limits<double>::infinity();

@@ -10,6 +10,7 @@
 #include "validation/analytic/wagner.hpp"
 #include "validation/scene/asked_axes.hpp"
 #include "validation/scene/expected_motion.hpp"
+#include "validation/scene/faces.hpp"
 
 namespace wetdeck {
 namespace {
@@ -24,20 +25,14 @@ struct BottomSide {
 };
 
 std::vector<BottomSide> bottom_sides(const Outline& outline) {
-    double twice_area = 0, left = outline[0].x(), right = left;
-    const auto next = [&](std::size_t k) { return outline[(k + 1) % outline.size()]; };
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        twice_area += outline[k].x() * next(k).y() - outline[k].y() * next(k).x();
-        left = std::min(left, outline[k].x());
-        right = std::max(right, outline[k].x());
-    }
+    const Box extent = extent_of(outline);
+    const double beam = extent.high.x() - extent.low.x(), onwards = counter_clockwise(outline) ? 1 : -1;
     std::vector<BottomSide> sides;
     for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Vec2 side = next(k) - outline[k];
-        const bool faces_down = side.x() * twice_area > 0;
-        if (faces_down)
-            sides.push_back(
-                {std::atan2(std::abs(side.y()), std::abs(side.x())), std::abs(side.x()) / (right - left)});
+        const Vec2 side = outline[(k + 1) % outline.size()] - outline[k];
+        const double width = std::abs(side.x());
+        const bool faces_down = onwards * side.x() > 0;
+        if (faces_down) sides.push_back({std::atan2(std::abs(side.y()), width), width / beam});
     }
     return sides;
 }
@@ -61,16 +56,12 @@ struct Echo {
 };
 
 Echo first_echo(const Scene& scene, const BodySpec& spec, const WaterEntry& entry) {
-    double left = spec.outline[0].x(), right = left;
-    for (const Vec2& corner : spec.outline) {
-        left = std::min(left, corner.x());
-        right = std::max(right, corner.x());
-    }
+    const Box extent = extent_of(spec.outline);
     const double depth = entry.level - scene.tank.low.y();
     const double x = entry.keel.x();
     // from the keel to the wall and back to the nearest point of the body
-    const double by_left = (x - scene.tank.low.x()) + (left - scene.tank.low.x());
-    const double by_right = (scene.tank.high.x() - x) + (scene.tank.high.x() - right);
+    const double by_left = (x - scene.tank.low.x()) + (extent.low.x() - scene.tank.low.x());
+    const double by_right = (scene.tank.high.x() - x) + (scene.tank.high.x() - extent.high.x());
     const double by_side = std::min(by_left, by_right);
     const bool floor = 2 * depth <= by_side;
     const double way = floor ? 2 * depth : by_side;
@@ -122,8 +113,7 @@ std::vector<std::string> doubtful_impacts(const Scene& scene) {
     std::vector<std::string> found;
     const double sound = scene.model.water.eos.sound_speed;
     const std::optional<FastestContactLine> line = fastest_contact_line(scene);
-    if (line && scene.accepted.sound_speed.empty() &&
-        sound < 0.95 * sound_over_contact_line * line->speed)
+    if (line && scene.accepted.sound_speed.empty() && sound < 0.95 * sound_over_contact_line * line->speed)
         found.push_back(fmt::format(
             "water.sound_speed is {:.4g} m/s: on the side of {:.3g} degrees of {}, which meets the water at "
             "{:.3g} m/s, the contact line moves at {:.3g} m/s (Wagner), and slamming forces come out too low "

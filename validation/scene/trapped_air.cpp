@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+
+#include "validation/scene/expected_motion.hpp"
 
 namespace wetdeck {
 namespace {
@@ -17,11 +18,8 @@ struct Column {
 
 /// The lowest water of each column between the ends of the boxes; none where a column has no water.
 std::optional<std::vector<Column>> columns_of(const Scene& scene) {
-    std::set<double> ends = {scene.tank.low.x(), scene.tank.high.x()};
-    for (const Box& box : scene.water_boxes) ends.insert({box.low.x(), box.high.x()});
     std::vector<Column> columns;
-    for (auto left = ends.begin(); std::next(left) != ends.end(); ++left) {
-        const double x = 0.5 * (*left + *std::next(left));
+    for (const double x : column_middles(scene)) {
         std::optional<Column> found;
         for (const Box& box : scene.water_boxes) {
             if (x < box.low.x() || x > box.high.x()) continue;

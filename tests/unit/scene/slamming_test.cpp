@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "tests/unit/scene/scene_samples.hpp"
+#include "validation/scene/asked_axes.hpp"
 #include "validation/scene/plausibility.hpp"
 
 using namespace wetdeck;
@@ -157,6 +158,18 @@ TEST_CASE("a force that is asked for after the echo of floor or sides is doubted
     std::string text = wedge_scene;
     text.replace(text.find("window = [0.0, 0.0125]"), 22, "window = [0.0, 0.0100]");
     CHECK(doubtful(parse_scene(text, "drop.toml", std::nullopt, {"water.sound_speed=200"})).empty());
+}
+
+TEST_CASE("a mean over an interval asks for the time until its end") {
+    Scene scene;
+    scene.end_time = 10;
+    QuantitySpec mean;
+    mean.metric = &metric_named("maximum");
+    mean.instant = 1;
+    mean.interval = 2;
+    scene.analysis.quantities = {mean};
+    REQUIRE(asked_times(scene).size() == 1);
+    CHECK(asked_times(scene)[0].last == 3);
 }
 
 TEST_CASE("a flat bottom is told, and what its first pressure depends on") {

@@ -124,17 +124,6 @@ double largest(const std::vector<double>& values) {
     return sum;
 }
 
-/// Largest difference over the largest expected value, over the particles [first, last).
-double difference(const std::vector<double>& found, const std::vector<double>& expected, std::size_t first,
-                  std::size_t last) {
-    double worst = 0, scale = 0;
-    for (std::size_t i = first; i < last; ++i) {
-        worst = std::max(worst, std::abs(found[i] - expected[i]));
-        scale = std::max(scale, std::abs(expected[i]));
-    }
-    return worst / scale;
-}
-
 }  // namespace
 
 TEST_CASE("Rates of the fast loop are those of the plain sum over all pairs", "[simd][pairs]") {
@@ -153,9 +142,9 @@ TEST_CASE("Rates of the fast loop are those of the plain sum over all pairs", "[
     const std::size_t ends[] = {0, fluid.water, fluid.size()};
     for (int phase = 0; phase < 2; ++phase) {
         const std::size_t first = ends[phase], last = ends[phase + 1];
-        CHECK(difference(fluid.density_rate, expected.density, first, last) < tolerance);
-        CHECK(difference(fluid.acceleration_x, expected.acceleration_x, first, last) < tolerance);
-        CHECK(difference(fluid.acceleration_y, expected.acceleration_y, first, last) < tolerance);
+        CHECK(samples::difference(fluid.density_rate, expected.density, first, last) < tolerance);
+        CHECK(samples::difference(fluid.acceleration_x, expected.acceleration_x, first, last) < tolerance);
+        CHECK(samples::difference(fluid.acceleration_y, expected.acceleration_y, first, last) < tolerance);
     }
 }
 
@@ -171,9 +160,9 @@ TEST_CASE("At edges of bodies and under a bound of the density the fast loop is 
     const FluidParticles& fluid = simulation.fluid();
     const samples::Rates expected = samples::reference_rates(fluid, simulation.walls(), simulation.model(),
                                                              simulation.particle_spacing());
-    CHECK(difference(fluid.density_rate, expected.density, 0, fluid.water) < 1e-11);
-    CHECK(difference(fluid.acceleration_x, expected.acceleration_x, 0, fluid.water) < 1e-11);
-    CHECK(difference(fluid.kernel_sum, expected.kernel_sum, 0, fluid.water) < 1e-11);
+    CHECK(samples::difference(fluid.density_rate, expected.density, 0, fluid.water) < 1e-11);
+    CHECK(samples::difference(fluid.acceleration_x, expected.acceleration_x, 0, fluid.water) < 1e-11);
+    CHECK(samples::difference(fluid.kernel_sum, expected.kernel_sum, 0, fluid.water) < 1e-11);
 }
 
 TEST_CASE("Every ingredient changes the rates, so that the comparison above can see it", "[pairs]") {
@@ -186,9 +175,10 @@ TEST_CASE("Every ingredient changes the rates, so that the comparison above can 
         const samples::Rates after = samples::reference_rates(
             simulation.fluid(), simulation.walls(), simulation.model(), simulation.particle_spacing());
         const std::size_t size = after.density.size();
-        const double change = std::max({difference(after.density, before.density, 0, size),
-                                        difference(after.acceleration_x, before.acceleration_x, 0, size),
-                                        difference(after.acceleration_y, before.acceleration_y, 0, size)});
+        const double change =
+            std::max({samples::difference(after.density, before.density, 0, size),
+                      samples::difference(after.acceleration_x, before.acceleration_x, 0, size),
+                      samples::difference(after.acceleration_y, before.acceleration_y, 0, size)});
         CHECK(change > 1e-6);
     }
 }
@@ -211,7 +201,7 @@ TEST_CASE("Shepard means at walls are those of the plain sum over the fluid near
         collect(simulation.walls().mean, member, found_values);
         collect(expected.wall, member, expected_values);
         REQUIRE(largest(expected_values) > 1);
-        CHECK(difference(found_values, expected_values, 0, found_values.size()) < 1e-11);
+        CHECK(samples::difference(found_values, expected_values, 0, found_values.size()) < 1e-11);
     }
 }
 
