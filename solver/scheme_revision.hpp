@@ -5,6 +5,6 @@ namespace wetdeck {
 
 /// Revision of the numerical scheme. It grows with every change of the solver that changes results beyond
 /// rounding; runs of different revisions are not compared with each other.
-inline constexpr int scheme_revision = 2;
+inline constexpr int scheme_revision = 3;
 
 }  // namespace wetdeck

@@ -34,7 +34,7 @@ struct WallPairGeometry {
 };
 
 /// P* of a pair. Fluid behind the face takes the one-sided pressure: the mean there belongs to the other side
-/// of a thin body.
+/// of a thin body. An edge, which has no normal, has no dissipation: water parts there and does not stop.
 template <WallTerms terms, class Fluid, class Wall>
 WETDECK_INLINE Pack wall_p_star(const PassInput& in, const FluidSide<Fluid>& fluid,
                                 const WallSide<Wall>& wall, const WallPairGeometry& pair,
@@ -46,10 +46,7 @@ WETDECK_INLINE Pack wall_p_star(const PassInput& in, const FluidSide<Fluid>& flu
     if constexpr (terms.shepard_pressure)
         p_right = select(signed_distance > 0.0, wall.mean_pressure, one_sided);
     const Pack normal_velocity = pair.vx * wall.nx + pair.vy * wall.ny;
-    const Pack approach = -(pair.vx * pair.x + pair.vy * pair.y) * pair.inverse_distance;
-    const Wall edge = 1.0 - (wall.nx * wall.nx + wall.ny * wall.ny);  // 1 where there is no normal, else 0
-    const Pack approach_speed =
-        select(signed_distance > 0.0, -normal_velocity, normal_velocity) + edge * approach;
+    const Pack approach_speed = select(signed_distance > 0.0, -normal_velocity, normal_velocity);
     Pack p_star;
     if constexpr (terms.harmonic_pressure) {
         p_star = harmonic_mean_of_pressures(Pack(fluid.pressure), p_right, in.model->mean_guard,
@@ -58,7 +55,10 @@ WETDECK_INLINE Pack wall_p_star(const PassInput& in, const FluidSide<Fluid>& flu
     } else {
         p_star = 0.5 * (fluid.pressure + p_right) + riemann_dissipation(approach_speed, c.limiter);
     }
-    if constexpr (terms.no_slip) p_star += c.viscosity * maximum(2.0 * approach, c.lowest_viscous_jump);
+    if constexpr (terms.no_slip) {
+        const Pack approach = -(pair.vx * pair.x + pair.vy * pair.y) * pair.inverse_distance;
+        p_star += c.viscosity * maximum(2.0 * approach, c.lowest_viscous_jump);
+    }
     return p_star;
 }
 
