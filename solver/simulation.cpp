@@ -66,16 +66,8 @@ void Simulation::evaluate() {
     time_step_ = step_of(model(), stable_step());
 }
 
-/// Eq. (26) with the sound speed of the most compressed fluid, c = c0 (rho/rho0)^((gamma - 1)/2): the sound
-/// speed of the reference state lets trapped air that is squeezed to two thirds become unstable.
 TimeStep Simulation::stable_step() const {
-    std::array<double, phase_count> fastest = extremes_.fastest;
-    const TaitEquationOfState* laws[] = {&model().water.eos, &model().air.eos};
-    for (std::size_t phase = 0; phase < phase_count; ++phase) {
-        const double stiffened = std::pow(extremes_.densest[phase], 0.5 * (laws[phase]->exponent - 1));
-        fastest[phase] += laws[phase]->sound_speed * (stiffened - 1);
-    }
-    const TimeStep step = stable_time_step(model(), kernel().smoothing_length, fastest, fluid().water > 0,
+    const TimeStep step = stable_time_step(model(), kernel().smoothing_length, extremes_, fluid().water > 0,
                                            fluid().water < fluid().size());
     if (!model().contact.on()) return step;
     return with_contact(step, contact_frequency(bodies(), domain(), model().contact, particle_spacing()));

@@ -23,24 +23,33 @@ int air_substeps(const Model& model) {
     return 2 * static_cast<int>((std::clamp(ratio, 1.0, most) - 1) / 2) + 1;
 }
 
-TimeStep stable_time_step(const Model& model, double smoothing_length,
-                          const std::array<double, phase_count>& fastest, bool has_water, bool has_air) {
+TimeStep stable_time_step(const Model& model, double smoothing_length, const Extremes& extremes,
+                          bool has_water, bool has_air) {
+    constexpr double diffusion_share = 1.4;  // of the Courant number
     const double h = smoothing_length;
     TimeStep step{std::numeric_limits<double>::infinity(), LimitingCriterion::force};
     const auto limit = [&step](double size, LimitingCriterion criterion) {
         if (size < step.size) step = {size, criterion};
     };
-    const auto limit_by = [&](const Material& material, double speed, int substeps,
-                              LimitingCriterion acoustic) {
-        limit(substeps * model.courant_number * h / (material.eos.sound_speed + speed), acoustic);
+    const auto limit_by = [&](Phase phase, int substeps, LimitingCriterion acoustic) {
+        const auto k = static_cast<std::size_t>(phase);
+        const Material& material = phase == Phase::water ? model.water : model.air;
+        const double c0 = material.eos.sound_speed;
+        const double c = c0 * std::pow(extremes.densest[k], 0.5 * (material.eos.exponent - 1));
+        limit(substeps * model.courant_number * h / (c + extremes.fastest[k]), acoustic);
+        if (model.pressure_diffusion > 0) {
+            limit(substeps * diffusion_share * model.courant_number * h * c0 /
+                      (model.pressure_diffusion * c * c),
+                  LimitingCriterion::diffusion);
+        }
         if (model.viscosity != Viscosity::none && material.viscosity > 0) {
             limit(substeps * 0.125 * material.eos.reference_density * h * h / material.viscosity,
                   LimitingCriterion::viscous);
         }
     };
-    if (has_water) limit_by(model.water, fastest[0], 1, LimitingCriterion::acoustic_water);
+    if (has_water) limit_by(Phase::water, 1, LimitingCriterion::acoustic_water);
     const int substeps = has_water && has_air ? air_substeps(model) : 1;
-    if (has_air) limit_by(model.air, fastest[1], substeps, LimitingCriterion::acoustic_air);
+    if (has_air) limit_by(Phase::air, substeps, LimitingCriterion::acoustic_air);
     const double g = model.gravity.norm();
     if (g > 0) limit(0.25 * std::sqrt(h / g), LimitingCriterion::force);
     return step;

@@ -14,14 +14,9 @@
 
 #include "solver/passes/rates.hpp"
 #include "solver/time/stability.hpp"
+#include "solver/time/time_step.hpp"
 
 namespace wetdeck {
-
-/// Extremes of a flow, by phase: they set the next step.
-struct Extremes {
-    std::array<double, phase_count> fastest{};      ///< largest speed [m/s]
-    std::array<double, phase_count> densest{1, 1};  ///< largest density over the reference, at least 1
-};
 
 /// The extremes of the present state.
 Extremes extremes_of(const FluidParticles& fluid, const Model& model);

@@ -90,6 +90,10 @@ void doubt_ingredients(const Scene& scene, Doubts& found) {
             fmt::format("model.background_pressure is {:.4g} Pa without air: no air balances it at "
                         "the free surface, and pressures are too low by up to as much",
                         background));
+    if (!scene.air && scene.model.negative_pressure)
+        found.push_back(
+            "model.negative_pressure is true without air: water under tension clumps into lines, more the "
+            "finer its particles; expected false, or air with a background pressure");
     const Vec2 size = scene.tank.high - scene.tank.low;
     const double sponge = scene.model.sponge_thickness;
     if (sponge > 0.25 * size.minCoeff())
@@ -221,7 +225,7 @@ void doubt_times(const Scene& scene, Doubts& found) {
 
 std::optional<std::string> doubtful_step(const Scene& scene, double particle_spacing) {
     const double h = scene.model.smoothing_ratio * particle_spacing;
-    const TimeStep stable = stable_time_step(scene.model, h, {0, 0}, true, scene.air);
+    const TimeStep stable = stable_time_step(scene.model, h, {}, true, scene.air);
     if (step_of(scene.model, stable).criterion != LimitingCriterion::fixed_beyond) return std::nullopt;
     return fmt::format(
         "model.fixed_step is {:.3g} s, {:.3g} times the stable step of {:.3g} s at the spacing {:.4g} m: the "

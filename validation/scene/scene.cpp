@@ -320,7 +320,7 @@ CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
     const double fastest = 0.15 * scene.model.water.eos.sound_speed;
     const double h = scene.model.smoothing_ratio * particle_spacing;
     const TimeStep step =
-        step_of(scene.model, stable_time_step(scene.model, h, {fastest, 4 * fastest}, true, scene.air));
+        step_of(scene.model, stable_time_step(scene.model, h, {{fastest, 4 * fastest}}, true, scene.air));
     cost.steps = scene.end_time / step.size;
     const int substeps = scene.air ? air_substeps(scene.model) : 1;
     cost.particle_steps = cost.steps * (water + air * substeps);

@@ -162,11 +162,6 @@ Problem trapped_air_piston() {
                 "slug, 3 % of the "
                 "air's under this law, which stays: no order expected";
         }
-        if (law.name == "stiff") {
-            peak.known_miss =
-                "At the default Courant number of 0.5 the peak is 5.6 % off at 80 spacings and 2.7 % at 40; "
-                "at 0.25 it is 1.3 and 2.3 %.";
-        }
         problem.claims.push_back(peak);
         problem.claims.push_back(
             {"peak_time_" + law.name,

@@ -154,6 +154,17 @@ TEST_CASE("a value that another variant uses is in order, unless it is a large v
     CHECK_THAT(doubts("water.viscosity=1")[0], Contains("water.viscosity is not used"));
 }
 
+TEST_CASE("tension is doubted where no air bears it with a background pressure") {
+    const auto doubts = [](const char* variant, const char* value) {
+        return doubtful(parse_scene(samples::small_scene, "small.toml", variant, {value}));
+    };
+    CHECK(doubts("two-phase", "model.negative_pressure=true").empty());
+    CHECK(doubts("single-phase", "model.negative_pressure=false").empty());
+    const std::vector<std::string> found = doubts("single-phase", "model.negative_pressure=true");
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(found[0], Contains("water under tension clumps into lines"));
+}
+
 TEST_CASE("absurd values are doubted") {
     const std::vector<std::pair<std::vector<std::string>, std::string>> table = {
         {{"gravity=[0.0, 9.81]"}, "gravity points up"},

@@ -16,18 +16,18 @@ constexpr double h = 0.025;
 
 TEST_CASE("Sound in air limits a step in two phases, sound in water without air", "[time]") {
     const Model model = samples::two_phase_model();  // 30 and 90 m/s, Courant number 0.5
-    const TimeStep both = stable_time_step(model, h, {2, 10}, true, true);
+    const TimeStep both = stable_time_step(model, h, {{2, 10}}, true, true);
     CHECK(both.criterion == LimitingCriterion::acoustic_air);
     CHECK(both.size == Approx(0.5 * 0.025 / 100));
-    const TimeStep water = stable_time_step(model, h, {2, 10}, true, false);
+    const TimeStep water = stable_time_step(model, h, {{2, 10}}, true, false);
     CHECK(water.criterion == LimitingCriterion::acoustic_water);
     CHECK(water.size == Approx(0.5 * 0.025 / 32));
-    const TimeStep air = stable_time_step(model, h, {2, 10}, false, true);
+    const TimeStep air = stable_time_step(model, h, {{2, 10}}, false, true);
     CHECK(air.size == both.size);
 }
 
 TEST_CASE("Water limits the step where it is the faster of both", "[time]") {
-    const TimeStep step = stable_time_step(samples::two_phase_model(), h, {80, 10}, true, true);
+    const TimeStep step = stable_time_step(samples::two_phase_model(), h, {{80, 10}}, true, true);
     CHECK(step.criterion == LimitingCriterion::acoustic_water);
     CHECK(step.size == Approx(0.5 * 0.025 / 110));
 }
@@ -35,39 +35,53 @@ TEST_CASE("Water limits the step where it is the faster of both", "[time]") {
 TEST_CASE("Viscosity limits the step by rho h^2 / (8 mu), where the model has it", "[time]") {
     Model model = samples::two_phase_model();
     model.air.viscosity = 2;
-    CHECK(stable_time_step(model, h, {0, 0}, true, true).criterion == LimitingCriterion::acoustic_air);
+    CHECK(stable_time_step(model, h, {}, true, true).criterion == LimitingCriterion::acoustic_air);
     model.viscosity = GENERATE(Viscosity::approaching, Viscosity::symmetric);
-    const TimeStep step = stable_time_step(model, h, {0, 0}, true, true);
+    const TimeStep step = stable_time_step(model, h, {}, true, true);
     CHECK(step.criterion == LimitingCriterion::viscous);
     CHECK(step.size == Approx(0.125 * 1 * 0.025 * 0.025 / 2));
-    CHECK(stable_time_step(model, h, {0, 0}, true, false).criterion == LimitingCriterion::acoustic_water);
+    CHECK(stable_time_step(model, h, {}, true, false).criterion == LimitingCriterion::acoustic_water);
 }
 
 TEST_CASE("Gravity limits the step by sqrt(h/g) / 4", "[time]") {
     Model model = samples::two_phase_model();
     model.gravity = {-3e5, 4e5};
-    const TimeStep step = stable_time_step(model, h, {0, 0}, true, true);
+    const TimeStep step = stable_time_step(model, h, {}, true, true);
     CHECK(step.criterion == LimitingCriterion::force);
     CHECK(step.size == Approx(0.25 * std::sqrt(0.025 / 5e5)));
 }
 
+TEST_CASE("Diffusion of density limits the step of fluid that is strongly compressed", "[time]") {
+    Model model = samples::two_phase_model();
+    const double c = 30 * std::pow(1.2, 3);  // gamma = 7
+    const TimeStep step = stable_time_step(model, h, {{}, {1.2, 1}}, true, false);
+    CHECK(step.criterion == LimitingCriterion::diffusion);
+    CHECK(step.size == Approx(0.7 * 0.025 * 30 / (c * c)));
+    model.pressure_diffusion = 2;  // at rest, 0.35 h / c is less than 0.5 h / c
+    CHECK(stable_time_step(model, h, {}, true, false).size == Approx(0.35 * 0.025 / 30));
+    model.pressure_diffusion = 0;
+    const TimeStep acoustic = stable_time_step(model, h, {{}, {1.2, 1}}, true, false);
+    CHECK(acoustic.criterion == LimitingCriterion::acoustic_water);
+    CHECK(acoustic.size == Approx(0.5 * 0.025 / c));
+}
+
 TEST_CASE("The acoustic step is proportional to the Courant number", "[time]") {
     Model model = samples::two_phase_model();
-    const double half = stable_time_step(model, h, {0, 0}, true, true).size;
+    const double half = stable_time_step(model, h, {}, true, true).size;
     model.courant_number = 0.25;
-    CHECK(stable_time_step(model, h, {0, 0}, true, true).size == Approx(0.5 * half));
+    CHECK(stable_time_step(model, h, {}, true, true).size == Approx(0.5 * half));
 }
 
 TEST_CASE("Steps of the air make a step of the water, which has its own limit", "[time]") {
     Model model = samples::two_phase_model();
     model.air_substeps = 5;
-    const TimeStep air = stable_time_step(model, h, {2, 10}, true, true);
+    const TimeStep air = stable_time_step(model, h, {{2, 10}}, true, true);
     CHECK(air.criterion == LimitingCriterion::acoustic_water);  // 5 / 100 is more than 1 / 32
     CHECK(air.size == Approx(0.5 * 0.025 / 32));
-    const TimeStep fast_air = stable_time_step(model, h, {2, 100}, true, true);
+    const TimeStep fast_air = stable_time_step(model, h, {{2, 100}}, true, true);
     CHECK(fast_air.criterion == LimitingCriterion::acoustic_air);
     CHECK(fast_air.size == Approx(5 * 0.5 * 0.025 / 190));
-    CHECK(stable_time_step(model, h, {2, 100}, false, true).size == Approx(0.5 * 0.025 / 190));
+    CHECK(stable_time_step(model, h, {{2, 100}}, false, true).size == Approx(0.5 * 0.025 / 190));
 }
 
 TEST_CASE("The air takes as many steps in one of the water as the sound speeds allow", "[time]") {
