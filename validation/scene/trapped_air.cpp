@@ -43,11 +43,12 @@ double work_of_squeezing(double share, double exponent) {
 
 }  // namespace
 
-double squeezed_share(double weight, double stiffness, double exponent) {
+double squeezed_share(double weight, double stiffness, double exponent, double energy_of_motion) {
     double low = 1e-6, high = 1;
     for (int halving = 0; halving < 60; ++halving) {
         const double x = 0.5 * (low + high);
-        (stiffness * work_of_squeezing(x, exponent) > weight * (1 - x) ? low : high) = x;
+        const double energy = energy_of_motion + weight * (1 - x);
+        (stiffness * work_of_squeezing(x, exponent) > energy ? low : high) = x;
     }
     return 0.5 * (low + high);
 }
@@ -65,7 +66,7 @@ std::optional<std::string> doubtful_trapped_air(const Scene& scene) {
     const TaitEquationOfState& air = scene.model.air.eos;
     const double weight = scene.model.water.eos.reference_density * scene.model.gravity.norm() * depth;
     const double share = squeezed_share(weight, air.coefficient(), air.exponent);
-    constexpr double least = 1.0 / 3;
+    constexpr double least = least_squeezed_share;
     if (share >= least) return std::nullopt;
     const double needed = weight * (1 - least) / work_of_squeezing(least, air.exponent);  // B [Pa]
     return fmt::format(

@@ -76,6 +76,7 @@ TEST_CASE("air is squeezed until the fall has no energy left, and below a third 
     // weight)
     for (const double ratio : {0.1, 0.5, 1.0, 2.0, 10.0})
         CHECK(squeezed_share(ratio * 1000, 1000, 2) == Approx(1 / (1 + ratio)));
+    CHECK(squeezed_share(0, 1000, 2, 1000) == Approx((3 - std::sqrt(5.0)) / 2));  // (1 - x)^2 = x
     CHECK(squeezed_share(500, 1000, 1) == Approx(squeezed_share(500, 1000, 1 + 1e-6)));
     // 0.2 m of water over 0.1 m of air in the whole tank: 1962 Pa
     const auto doubts = [](const char* air, const char* floor) {

@@ -42,6 +42,20 @@ TEST_CASE("Time step, sound speed and spacing have limits searched in every scen
     }
 }
 
+TEST_CASE("Columns that squeeze trapped air to less than a third are not asked to survive", "[stress]") {
+    const Case columns = cases_named({"falling_column"}).front();
+    const auto beyond = [&](const std::string& name) {
+        for (const Setting& setting : columns.settings)
+            if (setting.name == name) return setting.beyond;
+        return std::string("missing");
+    };
+    CHECK(beyond("0 m/s on air of 340 m/s").empty());
+    CHECK(beyond("5 m/s on air of 340 m/s").empty());
+    CHECK_THAT(beyond("10 m/s on air of 340 m/s"), Catch::Contains("to 0.26 of its volume"));
+    CHECK_THAT(beyond("5 m/s on air of 170 m/s"), Catch::Contains("to 0.24 of its volume"));
+    CHECK_THAT(beyond("8 m/s on air of 170 m/s"), Catch::Contains("to 0.1 of its volume"));
+}
+
 TEST_CASE("Every spacing that a search may try fits its scene", "[stress]") {
     const Case spacing = cases_named({"spacing"}).front();
     for (const Search& search : spacing.searches)
