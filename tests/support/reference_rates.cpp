@@ -229,10 +229,8 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         const double mean = model.wall_pair_mean == WallPairMean::harmonic
                                 ? guarded_mean(model, p.pressure, behind, p.pressure > 0 && behind > 0)
                                 : 0.5 * (p.pressure + behind);
-        double p_star = mean + riemann_dissipation(edge       ? velocity.dot(e)
-                                                   : in_front ? -velocity.dot(n)
-                                                              : velocity.dot(n),
-                                                   limiter);
+        const double approach = edge ? 0 : in_front ? -velocity.dot(n) : velocity.dot(n);
+        double p_star = mean + riemann_dissipation(approach, limiter);
         const double jump = 2 * velocity.dot(e);
         if (model.wall_slip == WallSlip::no && model.viscosity != Viscosity::none &&
             (model.viscosity == Viscosity::symmetric || jump > 0)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every problem with an exact solution, in the order of the report. One file each, named like its function;
-// free flight is in floating_body.cpp.
+// free flight is in floating_body.cpp, the square in air in square_patch.cpp.
 #pragma once
 
 #include <vector>
@@ -19,6 +19,7 @@ Problem taylor_green();
 Problem layered_flow();
 Problem oscillating_drop();
 Problem square_patch();
+Problem square_in_air();
 Problem block_impact();
 Problem trapped_air_piston();
 Problem ritter();
