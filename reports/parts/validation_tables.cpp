@@ -3,13 +3,19 @@
 // shape.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/parts/tables.hpp"
 
 namespace wetdeck::report {
 namespace {
 
-Cell or_unknown(std::optional<double> number_or_nothing) {
-    return number_or_nothing ? value(number_or_nothing) : text("unknown");
+/// An uncertainty, and whether it rests on a judgement.
+Cell with_basis(const ValidationRow& row, const char* name, std::optional<double> uncertainty) {
+    if (!uncertainty) return text("unknown");
+    const bool assumed = std::find(row.assumed.begin(), row.assumed.end(), name) != row.assumed.end();
+    if (!assumed) return value(uncertainty);
+    return markup(number(*uncertainty) + "<br><span class=\"soft\">assumed</span>");
 }
 
 std::string error_text(const ValidationRow& row) {
@@ -47,7 +53,10 @@ std::string validation_table(const Summary& summary, const AnalysisSpec& scene) 
                        row.u_num ? markup(fmt::format("{}<br><span class=\"soft\">{}</span>",
                                                       number(*row.u_num), escape(row.u_num_source)))
                                  : text(row.u_num_source),
-                       or_unknown(row.u_input), or_unknown(row.u_data), markup(escape(row.verdict), "wide")});
+                       with_basis(row, "u_input", row.u_input), with_basis(row, "u_data", row.u_data),
+                       markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>", escape(row.verdict),
+                                          escape(row.sentence)),
+                              "wide")});
         }
         if (table.empty()) continue;
         out += details("Variant " + variant, table.html(), variant == scene.default_variant);
@@ -58,9 +67,12 @@ std::string validation_table(const Summary& summary, const AnalysisSpec& scene) 
                "After ASME V&V 20: E is the comparison error and u_val² = u_num² + u_input² + u_data², all "
                "standard uncertainties (k = 1). u_num: half the grid convergence index, or the range of the "
                "values at the three finest spacings if these do not converge monotonically. An uncertainty "
-               "that is not stated is unknown and is not taken as zero; u_val then has only a lower bound. "
-               "An error smaller than u_val does not show that the model has no error: a model error of "
-               "this size cannot be resolved.",
+               "that is neither stated nor assumed by judgement is unknown and is not taken as zero; u_val "
+               "then "
+               "has only a lower bound. The error of the model lies within E ± 1.96 u_val with a confidence "
+               "of "
+               "95 %. Where that includes zero, a model error of this size cannot be resolved. Variants "
+               "with fewer than three spacings are not judged.",
                "soft");
 }
 
@@ -85,11 +97,13 @@ std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene)
     }
     std::string sources;
     for (const SensitivitySpec& spec : scene.sensitivities)
-        sources += (sources.empty() ? "" : "; ") + spec.key + ": " + spec.source;
+        sources += fmt::format("{}{}: {}{}", sources.empty() ? "" : "; ", spec.key,
+                               spec.assumed ? "assumed, " : "", spec.source);
     return details(
         "Inputs varied for u_input",
         table.html() +
-            paragraph("One input at a time is varied at the middle spacing of the default variant. "
+            paragraph("One input at a time is varied at the coarsest spacing of the default variant; other "
+                      "variants take its u_input. "
                       "u_input = |difference of the quantity / difference of the input| × standard "
                       "uncertainty of the input. Sources: " +
                           sources + ".",

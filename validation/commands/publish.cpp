@@ -113,7 +113,7 @@ std::string errors_section(const Summary& summary) {
         out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell(row.scene),
                            cell(row.variant), cell(row.quantity), number(row.simulated),
                            number(row.reference), number(row.error), number(row.u_num), number(row.u_input),
-                           number(row.u_data), cell(row.verdict));
+                           number(row.u_data), cell(fmt::format("{}. {}", row.verdict, row.sentence)));
     }
     return out;
 }

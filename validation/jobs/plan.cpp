@@ -42,11 +42,14 @@ void add_sensitivity_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
     const Tier& tier = scene.tiers.at(options.tier);
     const auto spacings = tier.find(scene.variant);
     if (spacings == tier.end() || spacings->second.empty()) return;
-    const double dx = spacings->second[spacings->second.size() / 2];
+    const double dx = spacings->second.front();
     for (const SensitivitySpec& spec : scene.analysis.sensitivities) {
-        for (const double value : {spec.low, spec.high}) {
-            const std::string assignment = fmt::format("{}={}", spec.key, value);
-            rows.push_back(varied_row(name, read_scene(find_scene(name), scene.variant, {assignment}), dx,
+        for (const bool high : {false, true}) {
+            const std::string assignment = fmt::format("{}={}", spec.key, high ? spec.high : spec.low);
+            std::vector<std::string> overrides = {assignment};
+            const std::vector<std::string>& with = high ? spec.high_with : spec.low_with;
+            overrides.insert(overrides.end(), with.begin(), with.end());
+            rows.push_back(varied_row(name, read_scene(find_scene(name), scene.variant, overrides), dx,
                                       sensitivity_path(options.directory, scene.name(), assignment)));
         }
     }

@@ -37,7 +37,7 @@ struct RowOptions {
 };
 
 /// Every row of the tier, longest first, and two for each [[sensitivity]] of a scene (low and high, at the
-/// middle spacing of the default variant) and for each variant whose sound speed it studies (a half and
+/// coarsest spacing of the default variant) and for each variant whose sound speed it studies (a half and
 /// twice, at its coarsest spacing). Throws InputError for an unknown tier or scene, and without a run.
 std::vector<SuiteRow> suite_rows(const PlanOptions& options);
 

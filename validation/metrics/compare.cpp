@@ -99,6 +99,7 @@ void take_reference(ComparisonResult& result, const ComparisonSpec& spec, Refere
     result.kind = found.reference->kind;
     result.citation = found.reference->citation;
     result.reference_uncertainty = found.reference->u_data;
+    result.assumed_uncertainty = found.reference->u_data_assumed;
     result.reference_hash = found.reference->hash;
     if (found.empty_cells > 0)
         add_note(result,

@@ -57,8 +57,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConvergenceRow, scene, variant, qoi, dx, valu
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurveConvergenceRow, scene, variant, series, window, dx, difference, range,
                                    order, gci_fine, monotone_share, verdict)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ValidationRow, scene, variant, quantity, unit, against, kind, dx,
-                                   simulated, reference, error, u_num, u_num_source, u_input, u_data, u_val,
-                                   verdict)
+                                   simulated, reference, error, u_num, u_num_source, u_input, u_input_variant,
+                                   u_data, u_val, assumed, interval, required, verdict, sentence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensitivityRow, scene, variant, dx, quantity, key, low, high, uncertainty,
                                    value_low, value_high, u_input)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SoundSpeedRow, scene, variant, quantity, unit, dx, sound_speed, value,

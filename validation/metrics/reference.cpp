@@ -169,11 +169,14 @@ class Reader {
         if (key == "kind") check_word(key, value, reference_kind_names());
         if (key == "obtained") check_word(key, value, origins);
         if (key == "date" && !is_date(value)) fail(fmt::format("date is '{}', expected YYYY-MM-DD", value));
-        if (key == "u_data" && value != "unknown") {
-            reference_.u_data = number(value, "u_data");
-            if (*reference_.u_data < 0)
-                fail("u_data is negative, expected a relative uncertainty or unknown");
-        }
+        if (key == "u_data" && value != "unknown") reference_.u_data = uncertainty(key, value, " or unknown");
+        if (key == "u_data_assumed") reference_.u_data_assumed = uncertainty(key, value, "");
+    }
+
+    double uncertainty(const std::string& key, const std::string& value, const char* otherwise) const {
+        const double u = number(value, key);
+        if (u < 0) fail(fmt::format("{} is negative, expected a relative uncertainty{}", key, otherwise));
+        return u;
     }
 
     template <typename List>

@@ -80,6 +80,8 @@ struct QuantitySpec : SeriesScaling {
     std::string expected_source;
     std::optional<ReferenceKind> expected_kind;  ///< empty if the scene does not say
     std::optional<double> expected_uncertainty;  ///< standard, k = 1, in the unit; empty if unknown
+    bool uncertainty_assumed = false;            ///< it is a judgement: nobody states it
+    std::optional<double> required;              ///< relative accuracy that the user asks for
 };
 
 /// One pair of curves: a series against a column of a reference file.
@@ -117,7 +119,9 @@ struct SensitivitySpec {
     std::string key;  ///< dotted, as for --set
     double low = 0, high = 0;
     double uncertainty = 0;  ///< standard, k = 1, in the unit of the key
-    std::string source;      ///< of the uncertainty
+    std::string source;      ///< of the uncertainty, or the reason for which it is assumed
+    bool assumed = false;    ///< a judgement: nobody states it
+    std::vector<std::string> low_with, high_with;  ///< KEY=VALUE that must change with the key
 };
 
 /// The key that the study of the sound speed varies, and its shares of the variant's own.

@@ -2,6 +2,7 @@
 // The result of the analysis of a directory of runs, as plain data: what summary.json and the report show.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ struct ComparisonResult {
     std::optional<double> peak_error;  ///< (max simulated - max reference) / |max reference| in the window
     std::optional<double> time_error;  ///< scaled time of the maximum, simulated minus reference
     std::optional<double> reference_uncertainty;  ///< relative standard, k = 1; empty if unknown
+    std::optional<double> assumed_uncertainty;    ///< the same by judgement, where nobody states it
     double tolerance = 0;
     bool within =
         false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
@@ -108,10 +110,15 @@ struct ValidationRow {
     double dx = 0;
     double simulated = 0, reference = 0, error = 0;  ///< S, D, E = S - D
     std::optional<double> u_num, u_input, u_data;
-    std::optional<double> u_val;  ///< only if all three are known
-    double u_known = 0;           ///< root of the sum of squares of those that are known
-    std::string u_num_source;     ///< GCI, range, or why there is none
-    std::string verdict;
+    std::optional<double> u_val;                    ///< only if all three are known
+    double u_known = 0;                             ///< root of the sum of squares of those that are known
+    std::string u_num_source;                       ///< GCI, range, or why there is none
+    std::string u_input_variant;                    ///< whose study gave u_input
+    std::vector<std::string> assumed;               ///< which of the three rest on a judgement
+    std::optional<std::array<double, 2>> interval;  ///< of the model error, 95 %; only with u_val
+    std::optional<double> required;                 ///< relative accuracy that the user asks for
+    std::string verdict;                            ///< one of validation_verdicts
+    std::string sentence;                           ///< what it says, for a person
 };
 
 /// Why a run should not be trusted: a time origin stated by hand that differs from what the run found, or the

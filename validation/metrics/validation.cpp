@@ -10,15 +10,21 @@
 
 #include "validation/metrics/convergence.hpp"
 #include "validation/metrics/curve_metrics.hpp"
+#include "validation/metrics/verdict.hpp"
 
 namespace wetdeck {
 namespace {
+
+/// A variant with fewer spacings is not judged, unless it is the scene's default.
+constexpr std::size_t least_spacings = 3;
 
 /// A simulated value and its reference, from a quantity or from a curve.
 struct Item {
     std::string name, unit, against;
     std::optional<ReferenceKind> kind;
     std::optional<double> simulated, reference, u_data;
+    bool u_data_assumed = false;
+    std::optional<double> required;
 };
 
 bool error_measure(const AnalysisSpec& scene, const std::string& quantity) {
@@ -33,11 +39,13 @@ bool counts_as_validation(std::optional<ReferenceKind> kind) {
 }
 
 Item item_of(const AnalysisSpec& scene, const QuantityResult& q) {
-    Item item{q.name, q.unit, q.expected_source, {}, q.value, q.expected, {}};
+    Item item{q.name, q.unit, q.expected_source, {}, q.value, q.expected, {}, false, {}};
     for (const QuantitySpec& spec : scene.quantities) {
         if (spec.name != q.name) continue;
         item.kind = spec.expected_kind;
         item.u_data = spec.expected_uncertainty;
+        item.u_data_assumed = spec.uncertainty_assumed;
+        item.required = spec.required;
     }
     return item;
 }
@@ -51,9 +59,11 @@ Item item_of(const ComparisonResult& c) {
               c.kind,
               simulated_feature(c, feature),
               reference_feature(c, feature),
+              {},
+              !c.reference_uncertainty && c.assumed_uncertainty,
               {}};
-    if (c.reference_uncertainty && item.reference)
-        item.u_data = *c.reference_uncertainty * std::abs(*item.reference);
+    const auto relative = item.u_data_assumed ? c.assumed_uncertainty : c.reference_uncertainty;
+    if (relative && item.reference) item.u_data = *relative * std::abs(*item.reference);
     return item;
 }
 
@@ -84,18 +94,31 @@ void combine(ValidationRow& row) {
         all = all && part.has_value();
     }
     row.u_known = std::sqrt(sum);
-    if (all) row.u_val = row.u_known;
+    if (!all) return;
+    row.u_val = row.u_known;
+    row.interval = {row.error - confidence * row.u_known, row.error + confidence * row.u_known};
 }
 
-std::optional<double> input_uncertainty(const ValidationRow& row, const std::vector<SensitivityRow>& study) {
-    double sum = 0;
-    bool known = false;
-    for (const SensitivityRow& each : study) {
-        if (each.scene != row.scene || each.variant != row.variant || each.quantity != row.quantity) continue;
-        known = true;
-        sum += each.u_input * each.u_input;
-    }
-    return known ? std::optional(std::sqrt(sum)) : std::nullopt;
+/// u_input of the row's own variant or, where that has no study, of the variant that has one.
+void set_input(ValidationRow& row, const std::vector<SensitivityRow>& study, const AnalysisSpec& scene) {
+    const auto from = [&](const std::string& variant) {
+        double sum = 0;
+        for (const SensitivityRow& each : study) {
+            if (each.scene != row.scene || each.variant != variant || each.quantity != row.quantity) continue;
+            row.u_input_variant = variant;
+            sum += each.u_input * each.u_input;
+        }
+        if (!row.u_input_variant.empty()) row.u_input = std::sqrt(sum);
+    };
+    from(row.variant);
+    if (row.u_input) return;
+    from(scene.default_variant);
+}
+
+/// Whether a judgement about an input counts in u_input.
+bool assumes_inputs(const AnalysisSpec& scene) {
+    return std::any_of(scene.sensitivities.begin(), scene.sensitivities.end(),
+                       [](const SensitivitySpec& spec) { return spec.assumed; });
 }
 
 using Sound = std::vector<const RunSummary*>;  // by spacing, coarse to fine
@@ -126,32 +149,13 @@ std::map<double, double> values_by_spacing(const AnalysisSpec& scene, const Soun
 
 }  // namespace
 
-std::string validation_verdict(const ValidationRow& row) {
-    const double size = std::abs(row.error);
-    const char* side = row.error > 0 ? "too high" : "too low";
-    if (row.u_num && size <= *row.u_num)
-        return "error no larger than the numerical uncertainty: finer spacings must come first";
-    if (size <= row.u_known) return "model error within the validation uncertainty";
-    if (row.u_val && size > 2 * *row.u_val) return fmt::format("model error is about E: simulation {}", side);
-    if (row.u_val)
-        return fmt::format("E exceeds the validation uncertainty by less than two: simulation {}, perhaps",
-                           side);
-    std::string unknown;
-    const auto add = [&](bool known, const char* name) {
-        if (!known) unknown += (unknown.empty() ? "" : ", ") + std::string(name);
-    };
-    add(row.u_num.has_value(), "u_num");
-    add(row.u_input.has_value(), "u_input");
-    add(row.u_data.has_value(), "u_data");
-    return fmt::format("E alone, simulation {}: {} unknown, no verdict", side, unknown);
-}
-
 std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
                                            const std::vector<SensitivityRow>& sensitivity) {
     std::vector<ValidationRow> rows;
     for (const auto& [variant, sound] : sound_runs(scene, runs)) {
         for (const Item& item : items_of(scene, *sound.back())) {
             if (!item.simulated || !item.reference || !counts_as_validation(item.kind)) continue;
+            if (variant != scene.default_variant && sound.size() < least_spacings) continue;
             ValidationRow row;
             row.scene = scene.scene;
             row.variant = variant;
@@ -165,9 +169,12 @@ std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std:
             row.error = row.simulated - row.reference;
             set_numerical(row, values_by_spacing(scene, sound, item.name));
             row.u_data = item.u_data;
-            row.u_input = input_uncertainty(row, sensitivity);
+            if (item.u_data_assumed) row.assumed.push_back("u_data");
+            set_input(row, sensitivity, scene);
+            if (row.u_input && assumes_inputs(scene)) row.assumed.push_back("u_input");
+            row.required = item.required;
             combine(row);
-            row.verdict = validation_verdict(row);
+            conclude(row);
             rows.push_back(std::move(row));
         }
     }

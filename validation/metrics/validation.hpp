@@ -17,8 +17,9 @@ namespace wetdeck {
 ///            spacings do not converge monotonically, the whole range of their values; unknown with fewer
 ///   u_data   stated with the expected value, or relative to the curve
 ///   u_input  root of the sum of squares over the inputs that `sensitivity` names for this variant and
-///            quantity; unknown without
-/// `verdict` is the conclusion that E and the known uncertainties allow, in words.
+///            quantity or, where this variant has no study, for the default variant; unknown without
+/// Only the default variant and those with at least three spacings have rows. `verdict` and `sentence` are
+/// those of verdict.hpp.
 std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
                                            const std::vector<SensitivityRow>& sensitivity);
 
@@ -26,8 +27,5 @@ std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std:
 /// pairs of runs with the key at its low and its high value.
 std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
                                              const std::vector<SensitivityRun>& runs);
-
-/// The words for a row whose error and uncertainties are filled in.
-std::string validation_verdict(const ValidationRow& row);
 
 }  // namespace wetdeck

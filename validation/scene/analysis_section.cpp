@@ -83,6 +83,14 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
     if (table.has("expected_kind"))
         q.expected_kind = reference_kind_named(table.choice("expected_kind", reference_kind_names()));
     q.expected_uncertainty = table.optional_number("expected_uncertainty");
+    if (table.has("assumed_uncertainty")) {
+        if (q.expected_uncertainty)
+            table.fail("assumed_uncertainty", "expected none beside 'expected_uncertainty'");
+        q.expected_uncertainty = table.number("assumed_uncertainty");
+        q.uncertainty_assumed = true;
+        table.text("assumed_reason");
+    }
+    if (table.has("required")) q.required = table.positive("required");
     if (q.expected_uncertainty && *q.expected_uncertainty < 0)
         table.fail("expected_uncertainty", "expected zero or a positive number");
     if (const char* key = missing_key(q); key != nullptr)
@@ -199,8 +207,17 @@ void read_deviations(const TomlTable& root, AnalysisSpec& analysis) {
 
 void read_sensitivities(const TomlTable& root, AnalysisSpec& analysis) {
     for (const TomlTable& table : root.tables("sensitivity")) {
-        const SensitivitySpec spec{table.text("key"), table.number("low"), table.number("high"),
-                                   table.positive("uncertainty"), table.text("source")};
+        SensitivitySpec spec;
+        spec.key = table.text("key");
+        spec.low = table.number("low");
+        spec.high = table.number("high");
+        spec.uncertainty = table.positive("uncertainty");
+        spec.assumed = table.has("reason");
+        if (spec.assumed == table.has("source"))
+            table.fail("source", "expected either who states the uncertainty, or a 'reason' to assume it");
+        spec.source = table.text(spec.assumed ? "reason" : "source");
+        if (table.has("low_with")) spec.low_with = table.texts("low_with");
+        if (table.has("high_with")) spec.high_with = table.texts("high_with");
         if (!(spec.low < spec.high)) table.fail("low", "expected a number below 'high'");
         table.finish();
         analysis.sensitivities.push_back(spec);

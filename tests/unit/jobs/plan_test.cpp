@@ -25,7 +25,8 @@ struct SmallPlan {
             scene,
             samples::with("quick = { single-phase = [0.02, 0.04] }", "quick = { two-phase = [0.04, 0.02] }") +
                 "[[sensitivity]]\nkey = \"model.background_pressure\"\nlow = 400.0\nhigh = "
-                "600.0\nuncertainty = 50.0\nsource = \"made up\"\n");
+                "600.0\nuncertainty = 50.0\nreason = \"made up\"\nhigh_with = "
+                "[\"air.sound_speed=50\"]\n");
         options.scenes = {scene};
         options.directory = folder / "out";
     }
@@ -36,21 +37,26 @@ struct SmallPlan {
 TEST_CASE("A plan has every spacing and both values of a varied input, the longest run first", "[plan]") {
     const SmallPlan plan;
     const std::vector<SuiteRow> rows = suite_rows(plan.options);
-    REQUIRE(rows.size() == 4);
+    REQUIRE(rows.size() == 4);  // two spacings, low and high
     const auto longer = [](const SuiteRow& a, const SuiteRow& b) {
         return a.estimated_core_seconds > b.estimated_core_seconds;
     };
     CHECK(std::is_sorted(rows.begin(), rows.end(), longer));
-    CHECK(rows.back().particle_spacing == 0.04);
-    CHECK(rows.back().directory == plan.options.directory / "runs/small/two-phase/dx0.04");
-    CHECK(row_name(rows.back()) == plan.options.scenes[0] + " two-phase dx 0.04");
-    const auto low = std::find_if(rows.begin(), rows.end(), [](const SuiteRow& row) {
-        return row.overrides == std::vector<std::string>{"model.background_pressure=400"};
-    });
-    REQUIRE(low != rows.end());
-    CHECK(low->particle_spacing == 0.02);
-    CHECK(low->directory == plan.options.directory / "sensitivity/small/model.background_pressure=400");
-    CHECK(row_name(*low).ends_with(" dx 0.02 model.background_pressure=400"));
+    const auto of = [&](const std::vector<std::string>& overrides, double dx) {
+        const auto row = std::find_if(rows.begin(), rows.end(), [&](const SuiteRow& each) {
+            return each.overrides == overrides && each.particle_spacing == dx;
+        });
+        REQUIRE(row != rows.end());
+        return *row;
+    };
+    const SuiteRow coarse = of({}, 0.04);
+    CHECK(coarse.directory == plan.options.directory / "runs/small/two-phase/dx0.04");
+    CHECK(row_name(coarse) == plan.options.scenes[0] + " two-phase dx 0.04");
+    const SuiteRow low = of({"model.background_pressure=400"}, 0.04);
+    CHECK(low.directory == plan.options.directory / "sensitivity/small/model.background_pressure=400");
+    CHECK(row_name(low).ends_with(" dx 0.04 model.background_pressure=400"));
+    const SuiteRow high = of({"model.background_pressure=600", "air.sound_speed=50"}, 0.04);
+    CHECK(row_name(high).ends_with(" dx 0.04 model.background_pressure=600"));
     double sum = 0;
     for (const SuiteRow& row : rows) sum += row.estimated_core_seconds;
     CHECK(estimated_core_seconds(rows) == sum);

@@ -116,7 +116,7 @@ TEST_CASE("A sensitivity run of another base set-up does not enter the uncertain
           "[analysis]") {
     AnalysisSpec spec = scene();
     spec.default_variant = "a";
-    spec.sensitivities = {{"water.sound_speed", 10, 20, 1, "assumed"}};
+    spec.sensitivities = {{"water.sound_speed", 10, 20, 1, "by judgement", true, {}, {}}};
     auto runs = sweep();
     for (RunSummary& run : runs) run.record.provenance["setup_identity"] = "new";
     std::vector<SensitivityRun> varied;

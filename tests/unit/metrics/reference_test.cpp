@@ -75,6 +75,8 @@ TEST_CASE("A sound reference file is read with its header, columns and units", "
 TEST_CASE("An unknown uncertainty is empty and not zero", "[reference]") {
     CHECK_FALSE(
         load(replaced(header, "u_data: 0.05", "u_data: unknown") + columns + "0,1\n").u_data.has_value());
+    CHECK(load(replaced(header, "u_data: 0.05", "u_data: unknown\n# u_data_assumed: 0.1") + columns + "0,1\n")
+              .u_data_assumed == 0.1);
     CHECK(load(replaced(header, "u_data: 0.05", "u_data: 0") + columns + "0,1\n").u_data == 0.0);
 }
 
@@ -136,6 +138,8 @@ TEST_CASE("A faulty header is refused with line and expectation", "[reference]")
         {"date: 2026-01-31", "date: yesterday", "7: date is 'yesterday', expected YYYY-MM-DD"},
         {"u_data: 0.05", "u_data: small", "9: u_data is 'small', expected a number"},
         {"u_data: 0.05", "u_data: -1", "9: u_data is negative, expected a relative uncertainty or unknown"},
+        {"u_data: 0.05", "u_data: unknown\n# u_data_assumed: -1",
+         "10: u_data_assumed is negative, expected a relative uncertainty"},
         {"u_data: 0.05", "u_data: nan", "9: u_data is 'nan', expected a finite number"},
         {"sign: up", "sign:", "13: key 'sign' has no value"},
         {"sign: up", "figure: 2", "13: key 'figure' is given twice"},

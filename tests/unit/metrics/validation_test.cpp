@@ -39,6 +39,16 @@ RunSummary run(double dx, double top, const std::string& variant = "a") {
     return r;
 }
 
+SensitivitySpec mass_study() {
+    SensitivitySpec spec;
+    spec.key = "body.mass";
+    spec.low = 90;
+    spec.high = 110;
+    spec.uncertainty = 5;
+    spec.source = "made up";
+    return spec;
+}
+
 /// Values 11 + 300 h^2: S = 11.03 at the finest, u_num = 0.5 * 1.25 * 0.03.
 std::vector<RunSummary> sweep() {
     return {run(0.04, 11.48), run(0.02, 11.12), run(0.01, 11.03)};
@@ -47,19 +57,6 @@ std::vector<RunSummary> sweep() {
 Summary analysed(const AnalysisSpec& spec, std::vector<RunSummary> runs,
                  std::vector<SensitivityRun> varied = {}) {
     return analyse({spec}, std::move(runs), "/nonexistent", std::move(varied));
-}
-
-ValidationRow row_with(double error, std::optional<double> u_num, std::optional<double> u_input,
-                       std::optional<double> u_data) {
-    ValidationRow row;
-    row.error = error;
-    row.u_num = u_num;
-    row.u_input = u_input;
-    row.u_data = u_data;
-    row.u_known = std::sqrt(std::pow(u_num.value_or(0), 2) + std::pow(u_input.value_or(0), 2) +
-                            std::pow(u_data.value_or(0), 2));
-    if (u_num && u_input && u_data) row.u_val = row.u_known;
-    return row;
 }
 
 ScatterPoint pair(double expected, double predicted, std::optional<double> u_data) {
@@ -85,7 +82,8 @@ TEST_CASE("E, u_num and u_data of a quantity are as stated, u_input stays unknow
     CHECK_FALSE(row.u_input.has_value());
     CHECK_FALSE(row.u_val.has_value());
     CHECK(row.u_known == Approx(std::hypot(0.1, 0.5 * 1.25 * 0.03)));
-    CHECK_THAT(row.verdict, Catch::Contains("u_input unknown, no verdict"));
+    CHECK(row.verdict == "unknown");
+    CHECK_THAT(row.sentence, Catch::Contains("u_input unknown: the error of the model cannot be bounded"));
 }
 
 TEST_CASE("An uncertainty of the data that nobody stated is unknown, not zero", "[validation]") {
@@ -106,7 +104,7 @@ TEST_CASE("Where the spacings swing the whole range stands for the numerical unc
 
 TEST_CASE("Two runs with one input changed give its share of the uncertainty", "[validation]") {
     AnalysisSpec spec = scene();
-    spec.sensitivities = {{"body.mass", 90, 110, 5, "made up"}};
+    spec.sensitivities = {mass_study()};
     std::vector<SensitivityRun> varied{{"body.mass", 90, run(0.02, 10.8)},
                                        {"body.mass", 110, run(0.02, 11.6)}};
     const Summary summary = analysed(spec, sweep(), varied);
@@ -114,21 +112,42 @@ TEST_CASE("Two runs with one input changed give its share of the uncertainty", "
     CHECK(summary.sensitivity[0].u_input == Approx(0.04 * 5));
     CHECK(summary.validation[0].u_input.value() == Approx(0.2));
     CHECK(summary.validation[0].u_val.value() == Approx(std::hypot(0.2, 0.1, 0.5 * 1.25 * 0.03)));
-    CHECK(summary.validation[0].verdict == "model error is about E: simulation too high");
+    CHECK(summary.validation[0].verdict == "too high");
+    CHECK(summary.validation[0].assumed.empty());
+    CHECK(summary.validation[0].u_input_variant == "a");
     varied.pop_back();
     CHECK(analysed(spec, sweep(), varied).sensitivity.empty());
 }
 
-TEST_CASE("The verdict says what E and the known uncertainties allow", "[validation]") {
-    CHECK(validation_verdict(row_with(0.5, 0.1, 0.1, 1)) == "model error within the validation uncertainty");
-    CHECK(validation_verdict(row_with(0.5, 0.6, 0.1, 1)) ==
-          "error no larger than the numerical uncertainty: finer spacings must come first");
-    CHECK(validation_verdict(row_with(-5, 0.1, 0.1, 1)) == "model error is about E: simulation too low");
-    CHECK_THAT(validation_verdict(row_with(1.5, 0.1, 0.1, 1)), Catch::Contains("less than two"));
-    // a lower bound of u_val that exceeds |E| is enough
-    CHECK(validation_verdict(row_with(0.5, 0.1, {}, 1)) == "model error within the validation uncertainty");
-    CHECK_THAT(validation_verdict(row_with(5, {}, {}, {})),
-               Catch::Contains("u_num, u_input, u_data unknown, no verdict"));
+TEST_CASE("A variant without a study takes the input uncertainty of the default variant", "[validation]") {
+    AnalysisSpec spec = scene();
+    spec.sensitivities = {mass_study()};
+    spec.sensitivities[0].assumed = true;
+    std::vector<RunSummary> runs = sweep();
+    for (const double dx : {0.04, 0.02, 0.01}) runs.push_back(run(dx, 11, "b"));
+    const Summary summary =
+        analysed(spec, runs, {{"body.mass", 90, run(0.04, 10.8)}, {"body.mass", 110, run(0.04, 11.6)}});
+    REQUIRE(summary.validation.size() == 2);
+    for (const ValidationRow& row : summary.validation) {
+        CHECK(row.u_input.value() == Approx(0.2));
+        CHECK(row.u_input_variant == "a");
+        CHECK(row.assumed == std::vector<std::string>{"u_input"});
+    }
+}
+
+TEST_CASE("Only the default variant is judged with fewer than three spacings", "[validation]") {
+    std::vector<RunSummary> runs = {run(0.02, 11), run(0.02, 11, "b"), run(0.01, 11, "b")};
+    const Summary summary = analysed(scene(), runs);
+    REQUIRE(summary.validation.size() == 1);
+    CHECK(summary.validation[0].variant == "a");
+}
+
+TEST_CASE("An uncertainty of the data by judgement counts and is named", "[validation]") {
+    AnalysisSpec spec = scene();
+    spec.quantities[0].uncertainty_assumed = true;
+    const ValidationRow row = analysed(spec, sweep()).validation.at(0);
+    CHECK(row.u_data.value() == 0.1);
+    CHECK(row.assumed == std::vector<std::string>{"u_data"});
 }
 
 TEST_CASE("Error measures, statements and other simulations are not validated against", "[validation]") {

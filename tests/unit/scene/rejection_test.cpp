@@ -306,6 +306,10 @@ TEST_CASE("a sensitivity that varies nothing, by nothing, or on nobody's word is
                  EndsWith("key 'sensitivity[0].low': expected a number below 'high'"));
     REQUIRE_THAT(sensitivity("low = 0.1\nhigh = 0.3\nuncertainty = 0.0\nsource = \"tape\"\n"),
                  Contains("sensitivity[0].uncertainty"));
-    REQUIRE_THAT(sensitivity("low = 0.1\nhigh = 0.3\nuncertainty = 0.02\n"),
-                 Contains("sensitivity[0].source"));
+    for (const char* words : {"", "source = \"tape\"\nreason = \"by judgement\"\n"})
+        REQUIRE_THAT(
+            sensitivity(std::string("low = 0.1\nhigh = 0.3\nuncertainty = 0.02\n") + words),
+            EndsWith("key 'sensitivity[0].source': expected either who states the uncertainty, or a 'reason' "
+                     "to assume it"));
+    REQUIRE(sensitivity("low = 0.1\nhigh = 0.3\nuncertainty = 0.02\nreason = \"by judgement\"\n").empty());
 }

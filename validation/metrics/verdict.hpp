@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a comparison with its uncertainties allows to conclude, after ASME V&V 20. The error of the model lies
+// within E +- 1.96 u_val with a confidence of 95 %:
+//     validated               all of it within the accuracy that the user requires
+//     too high, too low       none of it on the other side of zero
+//     within the uncertainty  zero is possible
+//     refine first            zero is possible, but mostly for the spacing's part of the uncertainty
+//     unknown                 a part of the uncertainty is not known
+#pragma once
+
+#include "validation/metrics/summary.hpp"
+
+namespace wetdeck {
+
+/// Half the width of a 95 % interval over the standard uncertainty, of a normal distribution.
+inline constexpr double confidence = 1.96;
+
+/// Sets verdict and sentence of a row whose error, uncertainties and interval are filled in.
+void conclude(ValidationRow& row);
+
+}  // namespace wetdeck
