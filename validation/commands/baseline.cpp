@@ -132,6 +132,33 @@ void compare_curves(const RunSummary& run, const json& wanted, std::vector<std::
     }
 }
 
+json verdicts_json(const Summary& summary) {
+    json all = json::array();
+    for (const ValidationRow& row : summary.validation)
+        all.push_back({{"scene", row.scene},
+                       {"variant", row.variant},
+                       {"quantity", row.quantity},
+                       {"verdict", row.verdict}});
+    return all;
+}
+
+/// A verdict that turned, or that is gone.
+void compare_verdicts(const Summary& summary, const json& wanted, std::vector<std::string>& out) {
+    for (const json& entry : wanted) {
+        const auto found =
+            std::find_if(summary.validation.begin(), summary.validation.end(), [&](const ValidationRow& row) {
+                return row.scene == entry.at("scene") && row.variant == entry.at("variant") &&
+                       row.quantity == entry.at("quantity");
+            });
+        const std::string before = entry.at("verdict");
+        const std::string now = found == summary.validation.end() ? "missing" : found->verdict;
+        if (now == before) continue;
+        out.push_back(fmt::format(
+            "{} {}: the verdict on {} was '{}', is '{}'", entry.at("scene").get<std::string>(),
+            entry.at("variant").get<std::string>(), entry.at("quantity").get<std::string>(), before, now));
+    }
+}
+
 }  // namespace
 
 void write_baseline(const fs::path& directory, const fs::path& file, bool replace) {
@@ -152,8 +179,11 @@ void write_baseline(const fs::path& directory, const fs::path& file, bool replac
                         {"curves", curves_json(run)}});
     }
     if (runs.empty()) throw InputError(fmt::format("{}: no run finished", directory.string()));
-    const json baseline{
-        {"schema", 1}, {"tier", summary.tier}, {"revisions", revisions}, {"runs", std::move(runs)}};
+    const json baseline{{"schema", 1},
+                        {"tier", summary.tier},
+                        {"revisions", revisions},
+                        {"runs", std::move(runs)},
+                        {"verdicts", verdicts_json(summary)}};
     if (file.has_parent_path()) make_directories(file.parent_path());
     atomic_write(file, baseline.dump(1) + "\n");
 }
@@ -175,6 +205,7 @@ std::vector<std::string> compare_with_baseline(const fs::path& directory, const 
             compare_quantities(*run, wanted.at("quantities"), deviations);
             compare_curves(*run, wanted.at("curves"), deviations);
         }
+        if (baseline.contains("verdicts")) compare_verdicts(summary, baseline.at("verdicts"), deviations);
     } catch (const json::exception& error) {
         throw DataError(fmt::format("{}: {}", file.string(), error.what()));
     }
