@@ -191,9 +191,10 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         append(summary.sensitivity, sensitivity_rows(spec, sensitivity_runs));
         append(summary.sound_speed,
                sound_speed_rows(spec, sensitivity_runs, summary.runs, summary.convergence));
-        append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
         append(summary.scatter, scatter_points(spec, summary.runs));
     }
+    for (const AnalysisSpec& spec : scenes)  // variants take u_input from studies of others
+        append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
     for (AnalysisSpec& spec : summary.scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         find_source_curves(spec, reference_directory / spec.scene);

@@ -125,8 +125,12 @@ TEST_CASE("A variant without a study takes the input uncertainty of the default 
     spec.sensitivities[0].assumed = true;
     std::vector<RunSummary> runs = sweep();
     for (const double dx : {0.04, 0.02, 0.01}) runs.push_back(run(dx, 11, "b"));
-    const Summary summary =
-        analysed(spec, runs, {{"body.mass", 90, run(0.04, 10.8)}, {"body.mass", 110, run(0.04, 11.6)}});
+    AnalysisSpec a = spec, b = spec;  // as the program has them: one each, in any order
+    a.variant = "a";
+    b.variant = "b";
+    const std::vector<SensitivityRun> varied = {{"body.mass", 90, run(0.04, 10.8)},
+                                                {"body.mass", 110, run(0.04, 11.6)}};
+    const Summary summary = analyse({b, a}, std::move(runs), "/nonexistent", varied);
     REQUIRE(summary.validation.size() == 2);
     for (const ValidationRow& row : summary.validation) {
         CHECK(row.u_input.value() == Approx(0.2));
