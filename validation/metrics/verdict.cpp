@@ -95,7 +95,10 @@ std::string fitness(const ValidationRow& row) {
 
 void conclude(ValidationRow& row) {
     row.verdict = verdict_of(row);
-    const char* side = row.error > 0 ? "higher" : "lower";
+    const bool negative = row.reference < 0;  // "higher" would be a slower fall
+    const char* side = negative        ? row.error > 0 ? "smaller in magnitude" : "larger in magnitude"
+                       : row.error > 0 ? "higher"
+                                       : "lower";
     row.sentence = fmt::format("The simulation gives {}, the measurement {}: {}{} {}.",
                                with_unit(row.simulated, row), with_unit(row.reference, row),
                                with_unit(std::abs(row.error), row), share(row.error, row), side);

@@ -83,6 +83,9 @@ TEST_CASE("The sentence names values, interval, largest part and what is assumed
           "model's error lies between 1.02 and 2.98 Pa. Most of this uncertainty is that of the inputs "
           "(u_input): better known inputs would help most.");
     CHECK_THAT(sentence(row_with(-0.5, 0.3, 0.4, 0)), Contains("lower") && Contains("so that none is shown"));
+    ValidationRow falling = row_with(0.5, 0.3, 0.4, 0);
+    falling.reference = -10;
+    CHECK_THAT(sentence(falling), Contains("0.5 Pa (5 %) smaller in magnitude"));
     CHECK_THAT(sentence(row_with(5, 0.1, {}, {})), Contains("u_input, u_data unknown"));
     // |E| = 1.96 sqrt(0.3^2 + 0.4^2 + u^2) for u = 0.8895
     CHECK_THAT(sentence(assuming("u_data", row_with(2, 0.3, 0.4, 0.1))),
