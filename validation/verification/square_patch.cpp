@@ -116,7 +116,7 @@ Setup water_alone(double dx) {
 
 /// In a box of air, which the corners do not reach.
 Setup with_air(double dx) {
-    const double room = 1.25 * side, half = 0.5 * side;
+    const double room = 1.6 * side, half = 0.5 * side;
     Setup setup(two_phase_model(sound_speed, air_sound_speed, background), {{-room, -room}, {room, room}}, dx,
                 true);
     setup.fill(Phase::water, square);
