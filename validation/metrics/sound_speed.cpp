@@ -19,6 +19,13 @@ const QuantityResult* quantity_of(const RunSummary& run, const std::string& name
     return nullptr;
 }
 
+/// Whether the scene studies the sound speed of a variant; an input of that key may be varied for u_input
+/// alone.
+bool studied(const AnalysisSpec& scene, const RunSummary& run) {
+    const std::vector<std::string>& variants = scene.sound_speed_variants;
+    return std::find(variants.begin(), variants.end(), run.record.variant) != variants.end();
+}
+
 /// The runs of one variant at one spacing by sound speed; empty unless there are three.
 std::map<double, const RunSummary*> at_three_speeds(const AnalysisSpec& scene,
                                                     const std::vector<SensitivityRun>& study,
@@ -27,7 +34,7 @@ std::map<double, const RunSummary*> at_three_speeds(const AnalysisSpec& scene,
     double spacing = 0;
     for (const SensitivityRun& each : study) {
         if (each.key != sound_speed_key || !applies(scene, each.run.record)) continue;
-        if (each.run.record.status != RunStatus::ok) continue;
+        if (each.run.record.status != RunStatus::ok || !studied(scene, each.run)) continue;
         by_speed[each.value] = &each.run;
         spacing = each.run.record.particle_spacing;
     }

@@ -107,3 +107,9 @@ TEST_CASE("a study that lacks a run, or is of another spacing or set-up, gives n
     CHECK(rows_of(sweep(), other).empty());
     CHECK(rows_of({sweep()[1], sweep()[2]}, study()).empty());
 }
+
+TEST_CASE("an input that is varied for its uncertainty is no study of the sound speed") {
+    AnalysisSpec spec = scene();
+    spec.sound_speed_variants.clear();
+    CHECK(analyse({spec}, sweep(), "/nonexistent", study()).sound_speed.empty());
+}
