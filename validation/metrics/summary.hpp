@@ -117,7 +117,7 @@ struct ValidationRow {
     std::vector<std::string> assumed;               ///< which of the three rest on a judgement
     std::optional<std::array<double, 2>> interval;  ///< of the model error, 95 %; only with u_val
     std::optional<double> required;                 ///< relative accuracy that the user asks for
-    std::string verdict;                            ///< one of validation_verdicts
+    std::string verdict;                            ///< one of those of verdict.hpp
     std::string sentence;                           ///< what it says, for a person
 };
 

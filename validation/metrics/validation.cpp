@@ -50,10 +50,19 @@ Item item_of(const AnalysisSpec& scene, const QuantityResult& q) {
     return item;
 }
 
-Item item_of(const ComparisonResult& c) {
+/// Its series or, where the scene compares that with the reference more than once, its title: rows of one
+/// name would take each other's values.
+const std::string& distinct_name(const AnalysisSpec& scene, const ComparisonResult& c) {
+    const auto alike = std::count_if(
+        scene.comparisons.begin(), scene.comparisons.end(),
+        [&](const ComparisonSpec& s) { return s.quantity == c.quantity && s.reference == c.reference; });
+    return alike > 1 ? c.title : c.quantity;
+}
+
+Item item_of(const AnalysisSpec& scene, const ComparisonResult& c) {
     const bool peaked = reference_feature(c, "peak").has_value();
     const std::string feature = peaked ? "peak" : "mean";
-    Item item{fmt::format("{}: {} against {}", c.quantity, feature, c.reference),
+    Item item{fmt::format("{}: {} against {}", distinct_name(scene, c), feature, c.reference),
               "-",
               c.title,
               c.kind,
@@ -73,7 +82,7 @@ std::vector<Item> items_of(const AnalysisSpec& scene, const RunSummary& run) {
         if (!error_measure(scene, q.name)) items.push_back(item_of(scene, q));
     }
     for (const ComparisonResult& c : run.comparisons) {
-        if (c.available) items.push_back(item_of(c));
+        if (c.available) items.push_back(item_of(scene, c));
     }
     return items;
 }
@@ -99,20 +108,27 @@ void combine(ValidationRow& row) {
     row.interval = {row.error - confidence * row.u_known, row.error + confidence * row.u_known};
 }
 
-/// u_input of the row's own variant or, where that has no study, of the variant that has one.
+/// What the study of a variant says of the quantity of a row; none without a study.
+std::optional<double> input_uncertainty(const ValidationRow& row, const std::string& variant,
+                                        const std::vector<SensitivityRow>& study) {
+    double sum = 0;
+    bool known = false;
+    for (const SensitivityRow& each : study) {
+        if (each.scene != row.scene || each.variant != variant || each.quantity != row.quantity) continue;
+        known = true;
+        sum += each.u_input * each.u_input;
+    }
+    return known ? std::optional(std::sqrt(sum)) : std::nullopt;
+}
+
+/// u_input of the row's own variant or, where that has no study, of the default variant.
 void set_input(ValidationRow& row, const std::vector<SensitivityRow>& study, const AnalysisSpec& scene) {
-    const auto from = [&](const std::string& variant) {
-        double sum = 0;
-        for (const SensitivityRow& each : study) {
-            if (each.scene != row.scene || each.variant != variant || each.quantity != row.quantity) continue;
-            row.u_input_variant = variant;
-            sum += each.u_input * each.u_input;
-        }
-        if (!row.u_input_variant.empty()) row.u_input = std::sqrt(sum);
-    };
-    from(row.variant);
-    if (row.u_input) return;
-    from(scene.default_variant);
+    for (const std::string& variant : {row.variant, scene.default_variant}) {
+        row.u_input = input_uncertainty(row, variant, study);
+        if (!row.u_input) continue;
+        row.u_input_variant = variant;
+        return;
+    }
 }
 
 /// Whether a judgement about an input counts in u_input.

@@ -49,7 +49,7 @@ std::string with_unit(double value, const ValidationRow& row) {
                                                : fmt::format("{:.3g} {}", value, row.unit);
 }
 
-/// " (12 %)" of the reference, which must not be zero.
+/// " (12 %)" of the reference; empty where that is zero.
 std::string share(double value, const ValidationRow& row) {
     return row.reference == 0 ? "" : fmt::format(" ({:.2g} %)", 100 * std::abs(value / row.reference));
 }

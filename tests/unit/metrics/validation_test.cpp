@@ -139,6 +139,36 @@ TEST_CASE("A variant without a study takes the input uncertainty of the default 
     }
 }
 
+TEST_CASE("A curve compared with one reference in two windows has two rows with values of their own",
+          "[validation]") {
+    AnalysisSpec spec = scene();
+    spec.quantities.clear();
+    std::vector<RunSummary> runs = sweep();
+    for (const char* title : {"early", "late"}) {
+        ComparisonSpec compared;
+        compared.title = title;
+        compared.quantity = "p";
+        compared.reference = "gauge";
+        spec.comparisons.push_back(compared);
+        double size = compared.title == "early" ? 1 : 10;
+        for (RunSummary& each : runs) {
+            ComparisonResult result;
+            result.title = title;
+            result.quantity = "p";
+            result.reference = "gauge";
+            result.kind = ReferenceKind::experiment;
+            result.features = {{"mean", 5 + size, 5}};
+            each.comparisons.push_back(result);
+            size /= 4;  // second order
+        }
+    }
+    const std::vector<ValidationRow> rows = validation_rows(spec, runs, {});
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].quantity == "early: mean against gauge");
+    CHECK(rows[1].quantity == "late: mean against gauge");
+    CHECK(rows[1].u_num.value() == Approx(10 * rows[0].u_num.value()));
+}
+
 TEST_CASE("Only the default variant is judged with fewer than three spacings", "[validation]") {
     std::vector<RunSummary> runs = {run(0.02, 11), run(0.02, 11, "b"), run(0.01, 11, "b")};
     const Summary summary = analysed(scene(), runs);
