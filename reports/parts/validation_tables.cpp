@@ -68,11 +68,9 @@ std::string validation_table(const Summary& summary, const AnalysisSpec& scene) 
                "standard uncertainties (k = 1). u_num: half the grid convergence index, or the range of the "
                "values at the three finest spacings if these do not converge monotonically. An uncertainty "
                "that is neither stated nor assumed by judgement is unknown and is not taken as zero; u_val "
-               "then "
-               "has only a lower bound. The error of the model lies within E ± 1.96 u_val with a confidence "
-               "of "
-               "95 %. Where that includes zero, a model error of this size cannot be resolved. Variants "
-               "with fewer than three spacings are not judged.",
+               "then has only a lower bound. The error of the model lies within E ± 1.96 u_val with a "
+               "confidence of 95 %. Where that includes zero, a model error of this size cannot be resolved. "
+               "Variants with fewer than three spacings are not judged.",
                "soft");
 }
 

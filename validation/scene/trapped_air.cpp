@@ -66,9 +66,9 @@ std::optional<std::string> doubtful_trapped_air(const Scene& scene) {
     const TaitEquationOfState& air = scene.model.air.eos;
     const double weight = scene.model.water.eos.reference_density * scene.model.gravity.norm() * depth;
     const double share = squeezed_share(weight, air.coefficient(), air.exponent);
-    constexpr double least = least_squeezed_share;
-    if (share >= least) return std::nullopt;
-    const double needed = weight * (1 - least) / work_of_squeezing(least, air.exponent);  // B [Pa]
+    if (share >= least_squeezed_share) return std::nullopt;
+    const double needed = weight * (1 - least_squeezed_share) /
+                          work_of_squeezing(least_squeezed_share, air.exponent);  // B [Pa]
     return fmt::format(
         "the water falls on air that it encloses and squeezes it to about {:.2g} of its volume: below a "
         "third it leaks through the walls; expected air of more than {:.3g} m/s, or a way out for it",

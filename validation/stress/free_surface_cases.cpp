@@ -115,18 +115,10 @@ Trial square_patch(const Scheme& scheme, double end, bool air) {
     apply_scheme(scheme, model);
     constexpr double half = 0.5 * side, far = 1.5;
     Setup setup(model, {{-far, -far}, {far, far}}, dx, true);
-    setup.fill(Phase::water, {{-half, -half}, {half, half}});
-    if (air) {
-        setup.fill(Phase::air, {{-far, -far}, {-half, far}});
-        setup.fill(Phase::air, {{half, -far}, {far, far}});
-        setup.fill(Phase::air, {{-half, -far}, {half, -half}});
-        setup.fill(Phase::air, {{-half, half}, {half, far}});
-    }
-    for (std::size_t i = 0; i < setup.fluid.water; ++i) {
-        FluidState& p = setup.fluid.state[i];
-        p.vx = -rotation * p.y;
-        p.vy = rotation * p.x;
-    }
+    const Box square = {{-half, -half}, {half, half}};
+    setup.fill(Phase::water, square);
+    if (air) setup.fill_around(Phase::air, square);
+    setup.spin_water(rotation);
     return Trial{setup.simulate(), end};
 }
 

@@ -105,12 +105,13 @@ Curve rebound(double dx) {
     for (FluidState& p : setup.fluid.state) p.vy = p.y < 0 ? speed : -speed;
     Simulation simulation = setup.simulate();
     const auto half = static_cast<std::uint32_t>(setup.fluid.size() / 2);  // ids of the lower column
+    const double turn = exact_turn();
     Curve velocity{{0}, {-1}};
     advance(simulation, 4 * length / sound_speed, [&](const Simulation& s) {
         const FluidParticles& f = s.fluid();
         double sum = 0;
         for (std::size_t i = 0; i < f.size(); ++i) sum += f.id[i] < half ? 0 : f.state[i].vy;
-        velocity.x.push_back(s.time() / exact_turn());
+        velocity.x.push_back(s.time() / turn);
         velocity.y.push_back(sum / (half * speed));
     });
     return velocity;

@@ -17,8 +17,6 @@ constexpr double steepness =
     0.06;  // amplitude times wave number: the frequency of theory then falls by (0.06)^2 / 4, 0.1 %
 constexpr double periods = 3;
 constexpr double viscous_share = 0.03;  // 2 nu k^2 over the frequency
-/// With the usual smoothing length the lattice resists a small shear like a solid before it gives way.
-const double usual_ratio = Model{}.smoothing_ratio, wide_ratio = 2;
 
 double frequency(bool with_air) {
     const double c = 1 / std::tanh(wave_number * depth);
@@ -119,17 +117,18 @@ void run(Findings& findings) {
             figure.exact.y.push_back(std::cos(2 * pi * t));
         }
         for (const double dx : findings.levels({1.0 / 20, 1.0 / 40, 1.0 / 80})) {
-            Oscillation inviscid = oscillate(tank(with_air, 0, usual_ratio, dx), omega, crest_speed);
+            Oscillation inviscid =
+                oscillate(tank(with_air, 0, Model{}.smoothing_ratio, dx), omega, crest_speed);
             findings.record("frequency_" + name, dx / width, std::abs(inviscid.frequency / omega - 1));
             findings.record("decay_" + name, dx / width, std::abs(inviscid.decay) / omega);
             for (double& t : inviscid.amplitude.x) t *= omega / (2 * pi);
             figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 6) + " m", inviscid.amplitude});
             if (with_air) continue;
-            const Oscillation wide = oscillate(tank(false, 0, wide_ratio, dx), omega, crest_speed);
+            const Oscillation wide = oscillate(tank(false, 0, wide_smoothing_ratio, dx), omega, crest_speed);
             findings.record("decay_wide", dx / width, std::abs(wide.decay) / omega);
             const double viscosity = 0.5 * viscous_share * omega / (wave_number * wave_number);
             const Oscillation viscous =
-                oscillate(tank(false, viscosity, usual_ratio, dx), omega, crest_speed);
+                oscillate(tank(false, viscosity, Model{}.smoothing_ratio, dx), omega, crest_speed);
             findings.record("viscous_decay", dx / width,
                             std::abs((viscous.decay - inviscid.decay) / (viscous_share * omega) - 1));
         }
@@ -170,8 +169,8 @@ Problem gravity_wave() {
              "diffusion of the dynamic pressure costs about D k^2 (omega / (c k))^2 / omega, below 0.1 %; "
              "the limited dissipation about as much; dissipation of a scheme of first order is bounded by 2 "
              "%. No order expected at a fixed h/dx: an arrangement under pressure resists shear by a share "
-             "of the "
-             "pressure, at any spacing, until it gives way; the smaller the wave, the more that costs"});
+             "of the pressure, at any spacing, until it gives way; the smaller the wave, the more that "
+             "costs"});
     }
     problem.claims.push_back({"decay_wide", "rate of decay of water alone over the frequency, with h = 2 dx",
                               resolution, 0.02, Window{0.5, 2.5},

@@ -37,6 +37,21 @@ void Setup::fill(Phase phase, Box box) {
     fill_box(fluid, phase, box, particle_spacing, material.eos.reference_density);
 }
 
+void Setup::fill_around(Phase phase, Box box) {
+    fill(phase, {domain.low, {domain.high.x(), box.low.y()}});
+    fill(phase, {{domain.low.x(), box.high.y()}, domain.high});
+    fill(phase, {{domain.low.x(), box.low.y()}, {box.low.x(), box.high.y()}});
+    fill(phase, {{box.high.x(), box.low.y()}, {domain.high.x(), box.high.y()}});
+}
+
+void Setup::spin_water(double rotation) {
+    for (std::size_t i = 0; i < fluid.water; ++i) {
+        FluidState& p = fluid.state[i];
+        p.vx = -rotation * p.y;
+        p.vy = rotation * p.x;
+    }
+}
+
 void Setup::put(const RigidBody& body, const Outline& outline) {
     Outline placed = outline;
     for (Vec2& corner : placed) corner += body.position;

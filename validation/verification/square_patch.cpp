@@ -100,11 +100,7 @@ void rotate(Setup& setup) {
     const PoissonSolution pressure(initial);
     set_initial_pressure(setup.fluid, setup.model,
                          [&](Phase phase, Vec2 at) { return phase == Phase::water ? pressure.at(at) : 0; });
-    for (std::size_t i = 0; i < setup.fluid.water; ++i) {
-        FluidState& p = setup.fluid.state[i];
-        p.vx = -rotation * p.y;
-        p.vy = rotation * p.x;
-    }
+    setup.spin_water(rotation);
 }
 
 Setup water_alone(double dx) {
@@ -116,14 +112,11 @@ Setup water_alone(double dx) {
 
 /// In a box of air, which the corners do not reach.
 Setup with_air(double dx) {
-    const double room = 1.6 * side, half = 0.5 * side;
+    const double room = 1.6 * side;
     Setup setup(two_phase_model(sound_speed, air_sound_speed, background), {{-room, -room}, {room, room}}, dx,
                 true);
     setup.fill(Phase::water, square);
-    setup.fill(Phase::air, {{-room, -room}, {room, -half}});
-    setup.fill(Phase::air, {{-room, half}, {room, room}});
-    setup.fill(Phase::air, {{-room, -half}, {-half, half}});
-    setup.fill(Phase::air, {{half, -half}, {room, half}});
+    setup.fill_around(Phase::air, square);
     rotate(setup);
     return setup;
 }
@@ -254,9 +247,8 @@ Problem square_in_air() {
     problem.title = "Rotating square of water in air";
     problem.exact =
         "Where the water of a rotating square goes has no closed form: it is compared with moving finite "
-        "elements "
-        "in empty space, whose cells keep their areas. A background pressure bears the tension in the "
-        "middle.";
+        "elements in empty space, whose cells keep their areas. A background pressure bears the tension in "
+        "the middle.";
     for (const double time : shape_times) {
         problem.claims.push_back(
             {"places" + instant_suffix(time),
