@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stable time step, Yang et al. (2020), Eq. (26), over both phases, and the limit of an explicit diffusion
-// of density by the pressure jump:
+// The stable time step, Yang et al. (2020), Eq. (26), over both phases, and the limit of an
+// explicit diffusion of density by the pressure jump:
 //     dt = min( C h/(c + v_max), 1.4 C h c_0 / (f c^2), 0.125 rho h^2 / mu, 0.25 sqrt(h/|g|) )
-// with c = c_0 (rho/rho_0)^((gamma - 1)/2) of the most compressed fluid and f the factor on the pressure jump.
-// The paper has C = 0.25, the default is 0.5: the second criterion is then 0.7 h c_0 / (f c^2). From 0.77 on,
-// with h = 1.5 dx, a pressure that changes its sign from row to row of a square lattice grows. Where the air
-// takes m steps in one of the water, the criteria of the air bound a step of the water at m times their size.
+// with c = c_0 (rho/rho_0)^((gamma - 1)/2) of the most compressed fluid and f the factor on the
+// pressure jump. The paper has C = 0.25, the default is 0.5: the second criterion is then
+// 0.7 h c_0 / (f c^2). From 0.77 on, with h = 1.5 dx, a pressure that changes its sign from row to
+// row of a square lattice grows. Where the air takes m steps in one of the water, the criteria of
+// the air bound a step of the water at m times their size.
 #pragma once
 
 #include <array>
