@@ -58,6 +58,11 @@ bool lies_in(const RunSummary& run, const char* folder) {
     return *fs::path(run.directory).begin() == folder;
 }
 
+bool in_study(const RunSummary& run) {
+    return lies_in(run, sensitivity_folder) || lies_in(run, sound_speed_folder) ||
+           lies_in(run, replicates_folder);
+}
+
 /// What every stored run of the directory is: a row of the tier, or of a study of one input.
 struct StoredRuns {
     std::vector<RunSummary> runs;
@@ -71,7 +76,7 @@ StoredRuns read_runs(const fs::path& directory) {
     StoredRuns stored;
     for (RunSummary& run : runs_below(directory, directory)) {
         if (lies_in(run, ablation_folder)) continue;
-        if (!lies_in(run, "sensitivity") && !lies_in(run, sound_speed_folder)) {
+        if (!in_study(run)) {
             stored.runs.push_back(std::move(run));
             continue;
         }

@@ -149,6 +149,12 @@ void add_suite(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     add_only(command, options->plan.scenes, "scenes (names or paths)", "SCENE");
     add_out(command, options->directory, "results/TIER");
+    command
+        .add_option("--replicates", options->plan.replicates,
+                    "runs with other arrangements of the particles, of each variant that a scene names for "
+                    "it (default: as the scene says; 0: none)")
+        ->check(CLI::Range(0, 1000))
+        ->type_name("N");
     add_jobs(command, options->jobs);
     add_threads(command, options->row.threads,
                 "number of threads of each run (default: the cores divided by the number of jobs)");

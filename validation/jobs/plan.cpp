@@ -25,33 +25,47 @@ std::string identity_of(const SuiteRow& row) {
     return identity_of(scene, options);
 }
 
-/// The row of a scene that was read with overrides.
-SuiteRow varied_row(const std::string& name, const Scene& varied, double particle_spacing,
-                    const fs::path& directory) {
+/// A row in which one key of a variant has another value, with the keys that must change with it.
+struct VariedKey {
+    std::string key;
+    double value = 0;
+    std::vector<std::string> with = {};  ///< KEY=VALUE
+
+    std::string assignment() const { return fmt::format("{}={}", key, value); }
+};
+
+/// @param folder  of the study; the run lies in it under the assignment
+SuiteRow varied_row(const std::string& name, const std::string& variant, const VariedKey& varied,
+                    double particle_spacing, const fs::path& folder) {
+    std::vector<std::string> overrides = {varied.assignment()};
+    overrides.insert(overrides.end(), varied.with.begin(), varied.with.end());
+    const Scene scene = read_scene(find_scene(name), variant, overrides);
     return {name,
-            varied.variant,
+            variant,
             particle_spacing,
-            estimate_cost(varied, particle_spacing).core_seconds,
-            varied.overrides,
-            directory};
+            estimate_cost(scene, particle_spacing).core_seconds,
+            overrides,
+            folder / varied.assignment()};
+}
+
+/// Of the variant in the tier of the plan; none where it does not run there.
+std::optional<double> coarsest_spacing(const PlanOptions& options, const Scene& scene,
+                                       const std::string& variant) {
+    const Tier& tier = scene.tiers.at(options.tier);
+    const auto spacings = tier.find(variant);
+    if (spacings == tier.end() || spacings->second.empty()) return std::nullopt;
+    return *std::max_element(spacings->second.begin(), spacings->second.end());
 }
 
 /// Two rows for each input that the scene varies.
 void add_sensitivity_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, const std::string& name,
                           const Scene& scene) {
-    const Tier& tier = scene.tiers.at(options.tier);
-    const auto spacings = tier.find(scene.variant);
-    if (spacings == tier.end() || spacings->second.empty()) return;
-    const double dx = spacings->second.front();
+    const auto dx = coarsest_spacing(options, scene, scene.variant);
+    if (!dx) return;
+    const fs::path folder = options.directory / sensitivity_folder / scene.name();
     for (const SensitivitySpec& spec : scene.analysis.sensitivities) {
-        for (const bool high : {false, true}) {
-            const std::string assignment = fmt::format("{}={}", spec.key, high ? spec.high : spec.low);
-            std::vector<std::string> overrides = {assignment};
-            const std::vector<std::string>& with = high ? spec.high_with : spec.low_with;
-            overrides.insert(overrides.end(), with.begin(), with.end());
-            rows.push_back(varied_row(name, read_scene(find_scene(name), scene.variant, overrides), dx,
-                                      sensitivity_path(options.directory, scene.name(), assignment)));
-        }
+        rows.push_back(varied_row(name, scene.variant, {spec.key, spec.low, spec.low_with}, *dx, folder));
+        rows.push_back(varied_row(name, scene.variant, {spec.key, spec.high, spec.high_with}, *dx, folder));
     }
 }
 
@@ -59,25 +73,31 @@ void add_sensitivity_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
 void add_sound_speed_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, const std::string& name,
                           const Scene& scene) {
     for (const std::string& variant : scene.analysis.sound_speed_variants) {
-        const Tier& tier = scene.tiers.at(options.tier);
-        const auto spacings = tier.find(variant);
-        if (spacings == tier.end() || spacings->second.empty()) continue;
-        const double dx = spacings->second.front(),
-                     own = read_scene(find_scene(name), variant).analysis.sound_speed;
+        const auto dx = coarsest_spacing(options, scene, variant);
+        if (!dx) continue;
+        const double own = read_scene(find_scene(name), variant).analysis.sound_speed;
         for (const double share : sound_speed_shares) {
-            const std::string assignment = fmt::format("{}={}", sound_speed_key, share * own);
-            std::vector<std::string> overrides = {assignment};
-            const auto& larger = scene.analysis.twice_sound_speed_with;
+            VariedKey varied{sound_speed_key, share * own};
             if (share > 1)  // the echo is back sooner
-                overrides.insert(overrides.end(), larger.begin(), larger.end());
+                varied.with = scene.analysis.twice_sound_speed_with;
             else
-                overrides.emplace_back("accepted_doubts.sound_speed=its effect is studied");
-            const Scene varied = read_scene(find_scene(name), variant, overrides);
-            check_row(varied, options.tier, dx);
-            rows.push_back(
-                varied_row(name, varied, dx,
-                           options.directory / sound_speed_folder / scene.name() / variant / assignment));
+                varied.with = {"accepted_doubts.sound_speed=its effect is studied"};
+            rows.push_back(varied_row(name, variant, varied, *dx,
+                                      options.directory / sound_speed_folder / scene.name() / variant));
+            check_row(read_scene(find_scene(name), variant, rows.back().overrides), options.tier, *dx);
         }
+    }
+}
+
+/// The replicates of each variant that the scene names, at its coarsest spacing of the tier.
+void add_replicate_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, const std::string& name,
+                        const Scene& scene) {
+    for (const std::string& variant : scene.analysis.replicated_variants) {
+        const auto dx = coarsest_spacing(options, scene, variant);
+        if (!dx) continue;
+        const fs::path folder = options.directory / replicates_folder / scene.name() / variant;
+        for (int seed = 1; seed <= options.replicates.value_or(scene.analysis.replicates); ++seed)
+            rows.push_back(varied_row(name, variant, {arrangement_key, double(seed)}, *dx, folder));
     }
 }
 
@@ -105,6 +125,7 @@ void add_scene_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, con
     }
     add_sensitivity_rows(rows, options, name, scene);
     add_sound_speed_rows(rows, options, name, scene);
+    add_replicate_rows(rows, options, name, scene);
 }
 
 }  // namespace
@@ -148,11 +169,6 @@ double estimated_core_seconds(const std::vector<SuiteRow>& rows) {
     double sum = 0;
     for (const SuiteRow& row : rows) sum += row.estimated_core_seconds;
     return sum;
-}
-
-fs::path sensitivity_path(const fs::path& directory, const std::string& scene,
-                          const std::string& assignment) {
-    return directory / "sensitivity" / scene / assignment;
 }
 
 fs::path run_path(const fs::path& directory, const std::string& scene, const std::string& variant,

@@ -27,6 +27,7 @@ struct PlanOptions {
     std::string tier = "quick";
     std::vector<std::string> scenes;  ///< empty: all that come with the program
     std::filesystem::path directory;
+    std::optional<int> replicates = {};  ///< of each variant that a scene names; empty: as the scene says
 };
 
 /// How each row is run.
@@ -36,9 +37,10 @@ struct RowOptions {
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< wall seconds
 };
 
-/// Every row of the tier, longest first, and two for each [[sensitivity]] of a scene (low and high, at the
-/// coarsest spacing of the default variant) and for each variant whose sound speed it studies (a half and
-/// twice, at its coarsest spacing). Throws InputError for an unknown tier or scene, and without a run.
+/// Every row of the tier, longest first, and at the coarsest spacing of the variant two for each
+/// [[sensitivity]] of a scene (low and high, default variant), two for each variant whose sound speed it
+/// studies (a half and twice), and the replicates of each variant that it names. Throws InputError for an
+/// unknown tier or scene, and without a run.
 std::vector<SuiteRow> suite_rows(const PlanOptions& options);
 
 /// "scene variant dx SPACING", followed by the override or, where there are several, by the name of the
@@ -53,12 +55,11 @@ bool interrupted(const SuiteRow& row);
 /// Estimated core seconds of all rows.
 double estimated_core_seconds(const std::vector<SuiteRow>& rows);
 
-/// Folder of the runs at other sound speeds: DIR/sound_speed/SCENE/VARIANT/KEY=VALUE
+/// Folders of the studies of one input: DIR/sensitivity/SCENE/KEY=VALUE,
+/// DIR/sound_speed/SCENE/VARIANT/KEY=VALUE and DIR/replicates/SCENE/VARIANT/KEY=VALUE.
+inline constexpr const char* sensitivity_folder = "sensitivity";
 inline constexpr const char* sound_speed_folder = "sound_speed";
-
-/// Where rows of the sensitivity study lie: DIR/sensitivity/SCENE/KEY=VALUE
-std::filesystem::path sensitivity_path(const std::filesystem::path& directory, const std::string& scene,
-                                       const std::string& assignment);
+inline constexpr const char* replicates_folder = "replicates";
 
 /// DIR/runs/SCENE/VARIANT/dxDX
 std::filesystem::path run_path(const std::filesystem::path& directory, const std::string& scene,

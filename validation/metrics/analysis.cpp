@@ -15,6 +15,7 @@
 #include "validation/metrics/flow_flags.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/metrics/reference_use.hpp"
+#include "validation/metrics/replicates.hpp"
 #include "validation/metrics/resample.hpp"
 #include "validation/metrics/sound_speed.hpp"
 #include "validation/metrics/speed_error.hpp"
@@ -189,12 +190,16 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         add_convergence(spec, summary);
         add_curve_convergence(spec, summary);
         append(summary.sensitivity, sensitivity_rows(spec, sensitivity_runs));
+        append(summary.replicates, replicate_rows(spec, sensitivity_runs));
         append(summary.sound_speed,
                sound_speed_rows(spec, sensitivity_runs, summary.runs, summary.convergence));
         append(summary.scatter, scatter_points(spec, summary.runs));
     }
-    for (const AnalysisSpec& spec : scenes)  // variants take u_input from studies of others
-        append(summary.validation, validation_rows(spec, summary.runs, summary.sensitivity));
+    const InputStudies studies{summary.sensitivity, summary.replicates};
+    for (const AnalysisSpec& spec : scenes) {  // variants take u_input from studies of others
+        append(summary.validation, validation_rows(spec, summary.runs, studies));
+        append(summary.agreement, agreement_rows(spec, summary.runs, studies));
+    }
     for (AnalysisSpec& spec : summary.scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);
         find_source_curves(spec, reference_directory / spec.scene);

@@ -100,6 +100,10 @@ void take_reference(ComparisonResult& result, const ComparisonSpec& spec, Refere
     result.citation = found.reference->citation;
     result.reference_uncertainty = found.reference->u_data;
     result.assumed_uncertainty = found.reference->u_data_assumed;
+    if (const auto reason = found.reference->keys.find("u_data_assumed_reason");
+        reason != found.reference->keys.end())
+        result.assumed_reason = reason->second;
+    result.abscissa_uncertainty = found.u_abscissa;
     result.reference_hash = found.reference->hash;
     if (found.empty_cells > 0)
         add_note(result,

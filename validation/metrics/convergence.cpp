@@ -10,6 +10,8 @@
 #include <functional>
 #include <memory>
 
+#include "validation/metrics/least_squares_fit.hpp"
+
 namespace wetdeck {
 namespace {
 
@@ -80,6 +82,7 @@ ConvergenceRow convergence(std::vector<std::pair<double, double>> points, double
     row.verdict = "too few spacings";
     if (n < 3) return row;
 
+    if (const auto fit = fit_least_squares(points)) row.least_squares = fit->uncertainty;
     const auto [h3, f3] = points[n - 3];
     const auto [h2, f2] = points[n - 2];
     const auto [h1, f1] = points[n - 1];
@@ -101,6 +104,7 @@ ConvergenceRow convergence(std::vector<std::pair<double, double>> points, double
 }
 
 std::optional<double> numerical_uncertainty(const ConvergenceRow& row) {
+    if (row.least_squares) return 0.5 * *row.least_squares;
     if (row.gci_fine) return 0.5 * *row.gci_fine;
     if (row.value.size() < 3) return std::nullopt;
     const auto [low, high] = std::minmax_element(row.value.end() - 3, row.value.end());

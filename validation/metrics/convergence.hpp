@@ -28,14 +28,15 @@ std::optional<double> observed_order(double h3, double h2, double h1, double f3,
 ///   extrapolated      f1 - (f2 - f1)/(r21^p - 1), only where the verdict is monotonic
 ///   gci_fine          1.25 |f2 - f1|/(r21^p - 1), in the unit of the quantity, only where the verdict is
 ///                     monotonic
+///   least_squares     of all spacings, where there are four or more
 ///   asymptotic_ratio  GCI43 / (r^p GCI32) with r = r32 and p of the finest three; needs four spacings, as
 ///                     with three it is 1 whatever the values are
 ///
 /// The caller fills in `scene`, `variant` and `qoi`.
 ConvergenceRow convergence(std::vector<std::pair<double, double>> spacing_and_value, double formal_order = 2);
 
-/// u_num of the finest spacing: half the GCI, else the range of the values at the three finest spacings; none
-/// with fewer.
+/// Standard uncertainty of the finest spacing: with four or more half of that of least squares, with three
+/// half the GCI or, where that is undefined, the range of the values; none with fewer.
 std::optional<double> numerical_uncertainty(const ConvergenceRow& row);
 
 }  // namespace wetdeck

@@ -53,12 +53,13 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(QuantityResult, value, unit, note, expected, 
                                    within)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurveFeature, simulated, reference)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ConvergenceRow, scene, variant, qoi, dx, value, order, extrapolated,
-                                   gci_fine, asymptotic_ratio, monotone, verdict)
+                                   gci_fine, least_squares, asymptotic_ratio, monotone, verdict)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurveConvergenceRow, scene, variant, series, window, dx, difference, range,
                                    order, gci_fine, monotone_share, verdict)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ValidationRow, scene, variant, quantity, unit, against, kind, dx,
-                                   simulated, reference, error, u_num, u_num_source, u_input, u_input_variant,
-                                   u_data, u_val, assumed, interval, required, verdict, sentence)
+                                   simulated, reference, error, u_num, u_grid, u_scatter, u_num_source,
+                                   u_input, u_input_variant, largest_input, u_data, u_val, assumed,
+                                   assumed_reason, interval, required, verdict, largest_part, sentence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SensitivityRow, scene, variant, dx, quantity, key, low, high, uncertainty,
                                    value_low, value_high, u_input)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SoundSpeedRow, scene, variant, quantity, unit, dx, sound_speed, value,
@@ -80,14 +81,26 @@ inline void to_json(nlohmann::json& j, const ScatterPoint& p) {
          {"dropped", p.dropped}};
 }
 inline void to_json(nlohmann::json& j, const ClassStatistics& row) {
-    j = {{"class", row.quantity_class},
-         {"count", row.count},
-         {"bias", row.bias},
-         {"bias_low", row.bias_low},
-         {"bias_high", row.bias_high},
-         {"scatter", row.scatter},
-         {"sigma_data", row.sigma_data},
-         {"sigma_model", row.sigma_model}};
+    j = {{"class", row.quantity_class},  {"points", row.count},           {"bias", row.bias},
+         {"bias_low", row.bias_low},     {"bias_high", row.bias_high},    {"scatter", row.scatter},
+         {"sigma_data", row.sigma_data}, {"sigma_model", row.sigma_model}};
+}
+/// `value` holds each run's; the interval is that of the mean.
+inline void to_json(nlohmann::json& j, const ReplicateRow& row) {
+    j = {{"scene", row.scene},
+         {"variant", row.variant},
+         {"dx", row.dx},
+         {"quantity", row.quantity},
+         {"unit", row.unit},
+         {"n", row.value.size()},
+         {"value", row.value},
+         {"mean", row.mean},
+         {"sd", row.deviation},
+         {"low95", row.low},
+         {"high95", row.high},
+         {"reference", row.reference},
+         {"u_reference", row.u_reference},
+         {"area", row.area}};
 }
 /// An end that is infinite is null.
 inline void to_json(nlohmann::json& j, const StatementResult& row) {

@@ -171,6 +171,7 @@ class Reader {
         if (key == "date" && !is_date(value)) fail(fmt::format("date is '{}', expected YYYY-MM-DD", value));
         if (key == "u_data" && value != "unknown") reference_.u_data = uncertainty(key, value, " or unknown");
         if (key == "u_data_assumed") reference_.u_data_assumed = uncertainty(key, value, "");
+        if (key == "u_abscissa") reference_.u_abscissa = uncertainty(key, value, "");
     }
 
     double uncertainty(const std::string& key, const std::string& value, const char* otherwise) const {

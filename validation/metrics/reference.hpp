@@ -31,6 +31,7 @@ struct Reference {
     std::string citation;
     std::optional<double> u_data;          ///< relative standard uncertainty, k = 1, stated; empty if unknown
     std::optional<double> u_data_assumed;  ///< the same by judgement, where nobody states it
+    std::optional<double> u_abscissa;  ///< standard, along the first column, in its unit; empty if unknown
     std::map<std::string, std::string> keys;  ///< the whole header, the above included
     std::vector<Column> columns;
     std::string hash;  ///< of the bytes of the file, "fnv1a64:" and 16 hexadecimal digits

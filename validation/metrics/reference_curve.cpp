@@ -22,6 +22,9 @@ ReferenceCurve sound_curve(const ReferenceRequest& request, ReferenceShelf& refe
     found.empty_cells = y.empty_cells;
     found.curve =
         scaled_reference(reference, x.name, y.name, request.scaling.x_scale, request.scaling.y_scale);
+    const bool along_first = x.name == first;
+    if (reference.u_abscissa && along_first)
+        found.u_abscissa = *reference.u_abscissa / (x.unit == "-" ? 1 : request.scaling.x_scale);
     return found;
 }
 

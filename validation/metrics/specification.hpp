@@ -80,7 +80,7 @@ struct QuantitySpec : SeriesScaling {
     std::string expected_source;
     std::optional<ReferenceKind> expected_kind;  ///< empty if the scene does not say
     std::optional<double> expected_uncertainty;  ///< standard, k = 1, in the unit; empty if unknown
-    bool uncertainty_assumed = false;            ///< it is a judgement: nobody states it
+    std::string assumed_reason = {};             ///< of a judgement; empty: the uncertainty is stated
     std::optional<double> required;              ///< relative accuracy that the user asks for
 };
 
@@ -96,8 +96,9 @@ struct ComparisonSpec : SeriesScaling {
     double tolerance = 0;          ///< on nrmse: rms difference over the range of the reference in the window
     std::string x_label;
     std::string y_label;
-    bool judged = true;        ///< else the reference is drawn beside the others and nothing is measured
-    bool align_peaks = false;  ///< each curve is shifted until its largest value is at zero
+    bool judged = true;  ///< else the reference is drawn beside the others and nothing is measured
+    std::optional<double> required = {};  ///< relative accuracy that the user asks for
+    bool align_peaks = false;             ///< each curve is shifted until its largest value is at zero
 };
 
 /// A reference file of the scene that no comparison uses.
@@ -189,6 +190,8 @@ struct AnalysisSpec {
     std::vector<std::string> sound_speed_variants;    ///< run at other sound speeds, too
     std::vector<std::string> twice_sound_speed_with;  ///< KEY=VALUE of the run at twice the sound speed
     double sound_speed = 0;                           ///< of the water in this variant [m/s]
+    std::vector<std::string> replicated_variants;     ///< run with disturbed arrangements of the particles
+    int replicates = 20;                              ///< of each, unless the suite is told otherwise
     std::vector<Deviation> deviations;
     std::vector<SourceFigure> source_figures;
     std::vector<SourceStatement> statements;

@@ -85,7 +85,7 @@ std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSu
     point.predicted = *result->value * scale;
     point.against = spec.expected_source;
     point.kind = spec.expected_kind;
-    if (spec.expected_uncertainty && !spec.uncertainty_assumed && *spec.expected != 0)
+    if (spec.expected_uncertainty && spec.assumed_reason.empty() && *spec.expected != 0)
         point.u_data = *spec.expected_uncertainty / std::abs(*spec.expected);
     return point;
 }

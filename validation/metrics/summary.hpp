@@ -50,6 +50,8 @@ struct ComparisonResult {
     std::optional<double> time_error;  ///< scaled time of the maximum, simulated minus reference
     std::optional<double> reference_uncertainty;  ///< relative standard, k = 1; empty if unknown
     std::optional<double> assumed_uncertainty;    ///< the same by judgement, where nobody states it
+    std::string assumed_reason = {};              ///< of the judgement
+    std::optional<double> abscissa_uncertainty;   ///< standard, scaled; empty if unknown
     double tolerance = 0;
     bool within =
         false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
@@ -84,6 +86,7 @@ struct ConvergenceRow {
     std::vector<double> dx;  ///< [m], coarse to fine
     std::vector<double> value;
     std::optional<double> order, extrapolated, gci_fine;  ///< see convergence.hpp
+    std::optional<double> least_squares;     ///< 95 % uncertainty at the finest, see least_squares_fit.hpp
     std::optional<double> asymptotic_ratio;  ///< 1 if a fourth spacing lies on the curve of the finest three
     bool monotone = false;
     std::string verdict;  ///< monotonic, oscillatory, divergent, not asymptotic, too few spacings
@@ -110,15 +113,21 @@ struct ValidationRow {
     double dx = 0;
     double simulated = 0, reference = 0, error = 0;  ///< S, D, E = S - D
     std::optional<double> u_num, u_input, u_data;
+    std::optional<double> u_grid;                   ///< the spacing's part of u_num
+    std::optional<double> u_scatter;                ///< that of the particles' arrangement, from replicates
     std::optional<double> u_val;                    ///< only if all three are known
     double u_known = 0;                             ///< root of the sum of squares of those that are known
     std::string u_num_source;                       ///< GCI, range, or why there is none
     std::string u_input_variant;                    ///< whose study gave u_input
+    std::string largest_input;                      ///< the input that most of u_input comes from
     std::vector<std::string> assumed;               ///< which of the three rest on a judgement
+    std::string assumed_reason;                     ///< of that on u_data
     std::optional<std::array<double, 2>> interval;  ///< of the model error, 95 %; only with u_val
     std::optional<double> required;                 ///< relative accuracy that the user asks for
     std::string verdict;                            ///< one of those of verdict.hpp
-    std::string sentence;                           ///< what it says, for a person
+    std::string
+        largest_part;      ///< of u_known: spacing, arrangement, inputs or reference; empty: nothing is known
+    std::string sentence;  ///< what it says, for a person
 };
 
 /// Why a run should not be trusted: a time origin stated by hand that differs from what the run found, or the
@@ -151,11 +160,22 @@ struct ClassStatistics {
     std::optional<double> sigma_data, sigma_model;    ///< its two parts, where the data's is known
 };
 
-/// A run with one input changed: of the sensitivity study, or of that of the sound speed.
+/// A run with one input changed: of the sensitivity study, of that of the sound speed, or a replicate.
 struct SensitivityRun {
     std::string key;
     double value = 0;
     RunSummary run;
+};
+
+/// How a quantity scatters among runs that differ by the arrangement of the particles; see replicates.hpp.
+struct ReplicateRow {
+    std::string scene, variant, quantity, unit;
+    double dx = 0;                                 ///< [m]
+    std::vector<double> value;                     ///< of each run, rising
+    double mean = 0, deviation = 0;                ///< sample standard deviation
+    double low = 0, high = 0;                      ///< 95 % confidence interval of the mean
+    std::optional<double> reference, u_reference;  ///< what it is compared with, standard (k = 1)
+    std::optional<double> area;  ///< area metric between both distributions, where both are known
 };
 
 /// The effect of an input's uncertainty on a quantity.
@@ -259,6 +279,8 @@ struct Summary {
     std::vector<ConvergenceRow> convergence;
     std::vector<CurveConvergenceRow> curve_convergence;
     std::vector<ValidationRow> validation;
+    std::vector<ValidationRow> agreement;  ///< the same against exact solutions and other codes
+    std::vector<ReplicateRow> replicates;
     std::vector<StatementResult> statements;
     std::vector<ScatterPoint> scatter;
     std::vector<ClassStatistics> statistics;

@@ -97,13 +97,25 @@ json cheapest_json(const CheapestRow& row) {
             {"best", cheapest_run_json(row.best)}};
 }
 
+/// A row beside an exact solution, another code or a stated value: ours and theirs.
+json agreement_json(const ValidationRow& row) {
+    json all = row;
+    all["ours"] = row.simulated;
+    all["theirs"] = row.reference;
+    all["code"] = row.against;
+    all["u_ours"] = row.u_num;
+    all["u_theirs"] = row.u_data;
+    return all;
+}
+
 }  // namespace
 
 json summary_json(const Summary& summary, const ProgramInfo& program) {
-    json runs = json::array(), cheapest = json::array();
+    json runs = json::array(), cheapest = json::array(), agreement = json::array();
     for (const RunSummary& run : summary.runs) runs.push_back(run_json(run));
     for (const CheapestRow& row : summary.cheapest) cheapest.push_back(cheapest_json(row));
-    return {{"schema", 1},
+    for (const ValidationRow& row : summary.agreement) agreement.push_back(agreement_json(row));
+    return {{"schema", 2},
             {"tier", summary.tier},
             {"program",
              {{"version", program.version},
@@ -116,6 +128,8 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"convergence", summary.convergence},
             {"curve_convergence", summary.curve_convergence},
             {"validation", summary.validation},
+            {"agreement", std::move(agreement)},
+            {"replicates", summary.replicates},
             {"statements", summary.statements},
             {"scatter", summary.scatter},
             {"statistics", summary.statistics},

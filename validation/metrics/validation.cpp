@@ -2,14 +2,15 @@
 // Comparison error and validation uncertainty in the sense of ASME V&V 20.
 #include "validation/metrics/validation.hpp"
 
-#include <fmt/core.h>
+#include <gsl/gsl_statistics_double.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "validation/metrics/convergence.hpp"
-#include "validation/metrics/curve_metrics.hpp"
+#include "validation/metrics/judged_values.hpp"
+#include "validation/metrics/replicates.hpp"
 #include "validation/metrics/verdict.hpp"
 
 namespace wetdeck {
@@ -18,81 +19,47 @@ namespace {
 /// A variant with fewer spacings is not judged, unless it is the scene's default.
 constexpr std::size_t least_spacings = 3;
 
-/// A simulated value and its reference, from a quantity or from a curve.
-struct Item {
-    std::string name, unit, against;
-    std::optional<ReferenceKind> kind;
-    std::optional<double> simulated, reference, u_data;
-    bool u_data_assumed = false;
-    std::optional<double> required;
-};
-
-bool error_measure(const AnalysisSpec& scene, const std::string& quantity) {
-    return std::any_of(scene.quantities.begin(), scene.quantities.end(), [&](const QuantitySpec& spec) {
-        return spec.name == quantity && spec.metric->is_error;
-    });
-}
-
 /// A value of unknown kind is taken for a measurement; the report says that its kind is not stated.
 bool counts_as_validation(std::optional<ReferenceKind> kind) {
     return !kind || describe(*kind).validates;
 }
 
-Item item_of(const AnalysisSpec& scene, const QuantityResult& q) {
-    Item item{q.name, q.unit, q.expected_source, {}, q.value, q.expected, {}, false, {}};
-    for (const QuantitySpec& spec : scene.quantities) {
-        if (spec.name != q.name) continue;
-        item.kind = spec.expected_kind;
-        item.u_data = spec.expected_uncertainty;
-        item.u_data_assumed = spec.uncertainty_assumed;
-        item.required = spec.required;
+/// Of the row's own variant or, where that has none, of the default variant.
+const ReplicateRow* replicates_of(const ValidationRow& row, const AnalysisSpec& scene,
+                                  const std::vector<ReplicateRow>& replicates) {
+    for (const std::string& variant : {row.variant, scene.default_variant}) {
+        for (const ReplicateRow& each : replicates)
+            if (each.scene == row.scene && each.variant == variant && each.quantity == row.quantity)
+                return &each;
     }
-    return item;
+    return nullptr;
 }
 
-/// Its series or, where the scene compares that with the reference more than once, its title: rows of one
-/// name would take each other's values.
-const std::string& distinct_name(const AnalysisSpec& scene, const ComparisonResult& c) {
-    const auto alike = std::count_if(
-        scene.comparisons.begin(), scene.comparisons.end(),
-        [&](const ComparisonSpec& s) { return s.quantity == c.quantity && s.reference == c.reference; });
-    return alike > 1 ? c.title : c.quantity;
+/// What the spacings differ by beyond what replicates do.
+double excess_spread(const std::vector<double>& values, const ReplicateRow& replicates) {
+    const double variance = gsl_stats_variance(values.data(), 1, values.size());
+    return std::sqrt(std::max(0.0, variance - replicates.deviation * replicates.deviation));
 }
 
-Item item_of(const AnalysisSpec& scene, const ComparisonResult& c) {
-    const bool peaked = reference_feature(c, "peak").has_value();
-    const std::string feature = peaked ? "peak" : "mean";
-    Item item{fmt::format("{}: {} against {}", distinct_name(scene, c), feature, c.reference),
-              "-",
-              c.title,
-              c.kind,
-              simulated_feature(c, feature),
-              reference_feature(c, feature),
-              {},
-              !c.reference_uncertainty && c.assumed_uncertainty,
-              {}};
-    const auto relative = item.u_data_assumed ? c.assumed_uncertainty : c.reference_uncertainty;
-    if (relative && item.reference) item.u_data = *relative * std::abs(*item.reference);
-    return item;
+std::string grid_source(const ConvergenceRow& row) {
+    if (row.least_squares) return "least squares / 2";
+    return row.gci_fine ? "GCI / 2" : row.verdict + ": range of three spacings";
 }
 
-std::vector<Item> items_of(const AnalysisSpec& scene, const RunSummary& run) {
-    std::vector<Item> items;
-    for (const QuantityResult& q : run.quantities) {
-        if (!error_measure(scene, q.name)) items.push_back(item_of(scene, q));
-    }
-    for (const ComparisonResult& c : run.comparisons) {
-        if (c.available) items.push_back(item_of(scene, c));
-    }
-    return items;
-}
-
-void set_numerical(ValidationRow& row, const std::map<double, double>& values) {
+void set_numerical(ValidationRow& row, const std::map<double, double>& values,
+                   const ReplicateRow* replicates) {
     const ConvergenceRow verified = convergence({values.begin(), values.end()});
-    row.u_num = numerical_uncertainty(verified);
-    row.u_num_source = verified.gci_fine ? "GCI / 2"
-                       : row.u_num       ? verified.verdict + ": range of three spacings"
-                                         : "unknown: fewer than three spacings";
+    row.u_grid = numerical_uncertainty(verified);
+    row.u_num_source = row.u_grid ? grid_source(verified) : "unknown: fewer than three spacings";
+    if (replicates != nullptr) {
+        row.u_scatter = replicates->deviation;
+        if (row.u_grid &&
+            (verified.verdict == "oscillatory" || differ_as_replicates(verified.value, *replicates))) {
+            row.u_grid = excess_spread(verified.value, *replicates);
+            row.u_num_source = "spread over the spacings beyond that of replicates";
+        }
+    }
+    if (row.u_grid) row.u_num = std::hypot(*row.u_grid, row.u_scatter.value_or(0));
 }
 
 void combine(ValidationRow& row) {
@@ -108,24 +75,19 @@ void combine(ValidationRow& row) {
     row.interval = {row.error - confidence * row.u_known, row.error + confidence * row.u_known};
 }
 
-/// What the study of a variant says of the quantity of a row; none without a study.
-std::optional<double> input_uncertainty(const ValidationRow& row, const std::string& variant,
-                                        const std::vector<SensitivityRow>& study) {
-    double sum = 0;
-    bool known = false;
-    for (const SensitivityRow& each : study) {
-        if (each.scene != row.scene || each.variant != variant || each.quantity != row.quantity) continue;
-        known = true;
-        sum += each.u_input * each.u_input;
-    }
-    return known ? std::optional(std::sqrt(sum)) : std::nullopt;
-}
-
 /// u_input of the row's own variant or, where that has no study, of the default variant.
 void set_input(ValidationRow& row, const std::vector<SensitivityRow>& study, const AnalysisSpec& scene) {
     for (const std::string& variant : {row.variant, scene.default_variant}) {
-        row.u_input = input_uncertainty(row, variant, study);
-        if (!row.u_input) continue;
+        double sum = 0, largest = -1;
+        for (const SensitivityRow& each : study) {
+            if (each.scene != row.scene || each.variant != variant || each.quantity != row.quantity) continue;
+            sum += each.u_input * each.u_input;
+            if (each.u_input <= largest) continue;
+            largest = each.u_input;
+            row.largest_input = each.key;
+        }
+        if (largest < 0) continue;
+        row.u_input = std::sqrt(sum);
         row.u_input_variant = variant;
         return;
     }
@@ -156,45 +118,72 @@ std::map<double, double> values_by_spacing(const AnalysisSpec& scene, const Soun
                                            const std::string& name) {
     std::map<double, double> values;
     for (const RunSummary* run : runs) {
-        for (const Item& item : items_of(scene, *run)) {
-            if (item.name == name && item.simulated) values[run->record.particle_spacing] = *item.simulated;
+        for (const JudgedValue& value : judged_values(scene, *run)) {
+            if (value.name == name && value.simulated)
+                values[run->record.particle_spacing] = *value.simulated;
         }
     }
     return values;
 }
 
-}  // namespace
+/// Its values, their names and the numerical uncertainty.
+ValidationRow row_of(const AnalysisSpec& scene, const Sound& sound, const JudgedValue& value,
+                     const std::vector<ReplicateRow>& replicates) {
+    const RunRecord& finest = sound.back()->record;
+    ValidationRow row;
+    row.scene = scene.scene;
+    row.variant = finest.variant;
+    row.quantity = value.name;
+    row.unit = value.unit;
+    row.against = value.against;
+    row.kind = value.kind;
+    row.dx = finest.particle_spacing;
+    row.simulated = *value.simulated;
+    row.reference = *value.reference;
+    row.error = row.simulated - row.reference;
+    row.required = value.required;
+    row.u_data = value.u_data;
+    row.assumed_reason = value.assumed_reason;
+    if (!value.assumed_reason.empty()) row.assumed.emplace_back("u_data");
+    set_numerical(row, values_by_spacing(scene, sound, value.name), replicates_of(row, scene, replicates));
+    return row;
+}
 
-std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
-                                           const std::vector<SensitivityRow>& sensitivity) {
+/// Rows of the values against measurements, or of those against everything else.
+std::vector<ValidationRow> rows_of(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
+                                   const InputStudies& studies, bool measured) {
     std::vector<ValidationRow> rows;
     for (const auto& [variant, sound] : sound_runs(scene, runs)) {
-        for (const Item& item : items_of(scene, *sound.back())) {
-            if (!item.simulated || !item.reference || !counts_as_validation(item.kind)) continue;
-            if (variant != scene.default_variant && sound.size() < least_spacings) continue;
-            ValidationRow row;
-            row.scene = scene.scene;
-            row.variant = variant;
-            row.quantity = item.name;
-            row.unit = item.unit;
-            row.against = item.against;
-            row.kind = item.kind;
-            row.dx = sound.back()->record.particle_spacing;
-            row.simulated = *item.simulated;
-            row.reference = *item.reference;
-            row.error = row.simulated - row.reference;
-            set_numerical(row, values_by_spacing(scene, sound, item.name));
-            row.u_data = item.u_data;
-            if (item.u_data_assumed) row.assumed.push_back("u_data");
-            set_input(row, sensitivity, scene);
-            if (row.u_input && assumes_inputs(scene)) row.assumed.push_back("u_input");
-            row.required = item.required;
+        if (variant != scene.default_variant && sound.size() < least_spacings) continue;
+        for (const JudgedValue& value : judged_values(scene, *sound.back())) {
+            if (!value.simulated || !value.reference || counts_as_validation(value.kind) != measured)
+                continue;
+            ValidationRow row = row_of(scene, sound, value, studies.replicates);
+            if (measured) {
+                set_input(row, studies.sensitivity, scene);
+                if (row.u_input && assumes_inputs(scene)) row.assumed.emplace_back("u_input");
+            } else {
+                row.u_input = 0;
+                if (describe(*row.kind).exact) row.u_data = 0;
+            }
             combine(row);
             conclude(row);
             rows.push_back(std::move(row));
         }
     }
     return rows;
+}
+
+}  // namespace
+
+std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
+                                           const InputStudies& studies) {
+    return rows_of(scene, runs, studies, true);
+}
+
+std::vector<ValidationRow> agreement_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
+                                          const InputStudies& studies) {
+    return rows_of(scene, runs, studies, false);
 }
 
 std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
@@ -213,10 +202,10 @@ std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
         const SensitivityRun* low = run_at(spec.key, spec.low);
         const SensitivityRun* high = run_at(spec.key, spec.high);
         if (low == nullptr || high == nullptr) continue;
-        const std::vector<Item> at_high = items_of(scene, high->run);
-        for (const Item& item : items_of(scene, low->run)) {
+        const std::vector<JudgedValue> at_high = judged_values(scene, high->run);
+        for (const JudgedValue& item : judged_values(scene, low->run)) {
             const auto same = std::find_if(at_high.begin(), at_high.end(),
-                                           [&](const Item& other) { return other.name == item.name; });
+                                           [&](const JudgedValue& other) { return other.name == item.name; });
             if (same == at_high.end() || !item.simulated || !same->simulated) continue;
             SensitivityRow row{scene.scene,      low->run.record.variant,
                                item.name,        item.unit,

@@ -15,7 +15,45 @@ bool zero_is_possible(const ValidationRow& row) {
 }
 
 bool spacing_dominates(const ValidationRow& row) {
-    return row.u_num && *row.u_num > std::hypot(row.u_input.value_or(0), row.u_data.value_or(0));
+    return row.u_grid && *row.u_grid > std::hypot(row.u_scatter.value_or(0), row.u_input.value_or(0),
+                                                  row.u_data.value_or(0));
+}
+
+/// How a verdict is worded against one kind of reference.
+struct Words {
+    const char* theirs;      ///< who gives the reference
+    const char* bounded;     ///< what lies in the interval
+    const char* none_shown;  ///< where zero is possible
+    const char* possible;    ///< verdict: zero is possible
+    const char* above;       ///< verdict: the simulation is higher
+    const char* below;       ///< verdict: it is lower
+    const char* data;        ///< what would help against u_data
+};
+
+const Words& words_of(std::optional<ReferenceKind> kind) {
+    static constexpr Words measured{"the measurement",
+                                    "the error of the model",
+                                    "so that no error is shown",
+                                    "within the uncertainty",
+                                    "too high",
+                                    "too low",
+                                    "that of the measurement (u_data): a better one would help most"};
+    static constexpr Words exact{"the exact solution",
+                                 "the error of the solution",
+                                 "so that no error is shown",
+                                 "agrees",
+                                 "higher",
+                                 "lower",
+                                 "that of the exact solution"};
+    static constexpr Words other{"the other computation",
+                                 "the difference between both",
+                                 "so that they agree within what both can tell",
+                                 "agrees",
+                                 "higher",
+                                 "lower",
+                                 "that of the other computation (u_data): a finer one would help most"};
+    if (!kind || describe(*kind).validates) return measured;
+    return describe(*kind).exact ? exact : other;
 }
 
 /// Largest error that the user allows, in the unit of the quantity.
@@ -34,14 +72,14 @@ bool unfit(const ValidationRow& row) {
     return most && row.interval && ((*row.interval)[0] > *most || (*row.interval)[1] < -*most);
 }
 
-std::string verdict_of(const ValidationRow& row) {
+std::string verdict_of(const ValidationRow& row, const Words& words) {
     if (fit(row)) return "validated";
     if (zero_is_possible(row)) {
         if (spacing_dominates(row)) return "refine first";
-        return row.u_known > 0 ? "within the uncertainty" : "unknown";
+        return row.u_val && row.u_known > 0 ? words.possible : "unknown";
     }
     if (!row.u_val) return "unknown";
-    return row.error > 0 ? "too high" : "too low";
+    return row.error > 0 ? words.above : words.below;
 }
 
 std::string with_unit(double value, const ValidationRow& row) {
@@ -62,14 +100,24 @@ std::string missing(const ValidationRow& row) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string largest_part(const ValidationRow& row) {
-    const std::pair<double, const char*> parts[] = {
-        {row.u_num.value_or(0), "the spacing (u_num): finer particles would help most"},
-        {row.u_input.value_or(0), "the inputs (u_input): better known inputs would help most"},
-        {row.u_data.value_or(0), "the data (u_data): a better measurement would help most"}};
-    return std::max_element(std::begin(parts), std::end(parts),
-                            [](const auto& a, const auto& b) { return a.first < b.first; })
-        ->second;
+struct Part {
+    double size;
+    const char* name;
+    std::string help;
+};
+
+/// The largest part of the uncertainty, and what would make it smaller.
+Part largest_part(const ValidationRow& row, const Words& words) {
+    const Part parts[] = {
+        {row.u_grid.value_or(0), "spacing", "that of the spacing (u_grid): finer particles would help most"},
+        {row.u_scatter.value_or(0), "arrangement",
+         "the scatter among arrangements of the particles (u_scatter): the mean of several replicates would "
+         "help most"},
+        {row.u_input.value_or(0), "inputs",
+         fmt::format("that of the inputs (u_input): a better known {} would help most", row.largest_input)},
+        {row.u_data.value_or(0), "reference", words.data}};
+    return *std::max_element(std::begin(parts), std::end(parts),
+                             [](const Part& a, const Part& b) { return a.size < b.size; });
 }
 
 /// At which value of an assumed uncertainty zero would become possible, or impossible.
@@ -94,23 +142,25 @@ std::string fitness(const ValidationRow& row) {
 }  // namespace
 
 void conclude(ValidationRow& row) {
-    row.verdict = verdict_of(row);
+    const Words& words = words_of(row.kind);
+    row.verdict = verdict_of(row, words);
     const bool negative = row.reference < 0;  // "higher" would be a slower fall
     const char* side = negative        ? row.error > 0 ? "smaller in magnitude" : "larger in magnitude"
                        : row.error > 0 ? "higher"
                                        : "lower";
-    row.sentence = fmt::format("The simulation gives {}, the measurement {}: {}{} {}.",
-                               with_unit(row.simulated, row), with_unit(row.reference, row),
+    row.sentence = fmt::format("The simulation gives {}, {} {}: {}{} {}.", with_unit(row.simulated, row),
+                               words.theirs, with_unit(row.reference, row),
                                with_unit(std::abs(row.error), row), share(row.error, row), side);
+    const Part largest = largest_part(row, words);
+    if (largest.size > 0) row.largest_part = largest.name;
     if (!row.u_val) {
-        row.sentence += fmt::format(" {} unknown: the error of the model cannot be bounded.", missing(row));
+        row.sentence += fmt::format(" {} unknown: {} cannot be bounded.", missing(row), words.bounded);
         return;
     }
-    row.sentence += fmt::format(
-        " With 95 % confidence the model's error lies between {:.3g} and {}{}. Most of this uncertainty is "
-        "that of {}.",
-        (*row.interval)[0], with_unit((*row.interval)[1], row),
-        zero_is_possible(row) ? ", so that none is shown" : "", largest_part(row));
+    row.sentence += fmt::format(" With 95 % confidence {} lies between {:.3g} and {}{}.", words.bounded,
+                                (*row.interval)[0], with_unit((*row.interval)[1], row),
+                                zero_is_possible(row) ? fmt::format(", {}", words.none_shown) : "");
+    if (largest.size > 0) row.sentence += fmt::format(" Most of this uncertainty is {}.", largest.help);
     for (const std::string& name : row.assumed) row.sentence += fmt::format(" {}.", turning_value(row, name));
     row.sentence += fitness(row);
 }

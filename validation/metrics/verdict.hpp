@@ -6,6 +6,8 @@
 //     within the uncertainty  zero is possible
 //     refine first            zero is possible, but mostly for the spacing's part of the uncertainty
 //     unknown                 a part of the uncertainty is not known
+// Beside an exact solution or another code, where nothing is validated, the words are
+//     agrees, higher, lower, refine first, unknown.
 #pragma once
 
 #include "validation/metrics/summary.hpp"
@@ -15,7 +17,7 @@ namespace wetdeck {
 /// Half the width of a 95 % interval over the standard uncertainty, of a normal distribution.
 inline constexpr double confidence = 1.96;
 
-/// Sets verdict and sentence of a row whose error, uncertainties and interval are filled in.
+/// Sets verdict, sentence and largest part of a row whose error, uncertainties and interval are filled in.
 void conclude(ValidationRow& row);
 
 }  // namespace wetdeck

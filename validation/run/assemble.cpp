@@ -12,6 +12,7 @@
 #include "solver/probes/energy.hpp"
 #include "solver/probes/front.hpp"
 #include "solver/probes/pressure.hpp"
+#include "solver/settled_arrangement.hpp"
 #include "solver/setup/cut_cells.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
@@ -133,8 +134,11 @@ Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
     Execution execution = scene.execution;
     execution.threads = threads;
     execution.instruction_set = instruction_set_from_environment();
-    return Simulation({model, std::move(fluid), boundary(scene, particle_spacing), particle_spacing,
-                       scene.tank, bodies, execution});
+    SimulationSetup setup{
+        model,  std::move(fluid), boundary(scene, particle_spacing), particle_spacing, scene.tank,
+        bodies, execution};
+    if (scene.arrangement != 0) setup.fluid = settled_arrangement(setup, scene.arrangement);
+    return Simulation(std::move(setup));
 }
 
 void check_spacing(const Scene& scene, double particle_spacing) {

@@ -87,8 +87,7 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
         if (q.expected_uncertainty)
             table.fail("assumed_uncertainty", "expected none beside 'expected_uncertainty'");
         q.expected_uncertainty = table.number("assumed_uncertainty");
-        q.uncertainty_assumed = true;
-        table.text("assumed_reason");
+        q.assumed_reason = table.text("assumed_reason");
     }
     if (table.has("required")) q.required = table.positive("required");
     if (q.expected_uncertainty && *q.expected_uncertainty < 0)
@@ -138,6 +137,7 @@ std::vector<ComparisonSpec> read_comparison(const TomlTable& table, const Axes& 
     read_instant(table, c.quantity, c.units, c);
     c.window = window(table);
     c.tolerance = table.positive("tolerance");
+    if (table.has("required")) c.required = table.positive("required");
     c.x_label = table.text_or("x_label", c.x_column);
     c.y_label = table.text_or("y_label", c.y_column);
     std::vector<ComparisonSpec> all(references.size(), c);
@@ -224,17 +224,34 @@ void read_sensitivities(const TomlTable& root, AnalysisSpec& analysis) {
     }
 }
 
+/// Names of variants of this scene.
+std::vector<std::string> variants_in(const TomlTable& table, const Scene& scene) {
+    const std::vector<std::string> names = table.texts("variants");
+    for (const std::string& name : names) {
+        const auto same = [&](const VariantInfo& variant) { return variant.name == name; };
+        if (std::none_of(scene.variants.begin(), scene.variants.end(), same))
+            table.fail("variants", fmt::format("'{}' is not a variant of this scene", name));
+    }
+    return names;
+}
+
 void read_sound_speed_study(const TomlTable& root, Scene& scene) {
     scene.analysis.sound_speed = scene.model.water.eos.sound_speed;
     const std::optional<TomlTable> table = root.optional_table("sound_speed_study");
     if (!table) return;
-    for (const std::string& name : table->texts("variants")) {
-        const auto same = [&](const VariantInfo& variant) { return variant.name == name; };
-        if (std::none_of(scene.variants.begin(), scene.variants.end(), same))
-            table->fail("variants", fmt::format("'{}' is not a variant of this scene", name));
-        scene.analysis.sound_speed_variants.push_back(name);
-    }
+    scene.analysis.sound_speed_variants = variants_in(*table, scene);
     scene.analysis.twice_sound_speed_with = table->texts("twice_with");
+    table->finish();
+}
+
+void read_replicates(const TomlTable& root, Scene& scene) {
+    const std::optional<TomlTable> table = root.optional_table("replicates");
+    if (!table) return;
+    scene.analysis.replicated_variants = variants_in(*table, scene);
+    const double count = table->number_or("count", scene.analysis.replicates);
+    if (count < 2 || count > 1000 || count != std::floor(count))
+        table->fail("count", "expected a whole number of runs from 2 to 1000");
+    scene.analysis.replicates = static_cast<int>(count);
     table->finish();
 }
 
@@ -275,6 +292,7 @@ void read_analysis(const TomlTable& root, Scene& scene) {
     read_sources(root, analysis);
     read_sensitivities(root, analysis);
     read_sound_speed_study(root, scene);
+    read_replicates(root, scene);
     read_source_run(root, analysis);
     analysis.limits = root.texts("limits");
     analysis.error_quantity = root.text_or("error_quantity", "");

@@ -58,19 +58,21 @@ json setup_json(const Scene& scene) {
     resolved.execution.threads = 0;
     json bodies = json::array();
     for (const BodySpec& body : scene.bodies) bodies.push_back(body_json(body));
-    return {{"scheme_revision", scheme_revision},
-            {"parameters", parameters_json(resolved)},
-            {"tank", vector_json(scene.tank.high)},
-            {"water_boxes", boxes_json(scene.water_boxes)},
-            {"air_boxes", boxes_json(scene.air ? scene.air_boxes : std::vector<Box>{})},
-            {"bodies", bodies},
-            {"initial",
-             {static_cast<int>(scene.initial.law), scene.initial.surface, scene.initial.released_face}},
-            {"probes", scene.probe_text},
-            {"end_time", scene.end_time},
-            {"sample_interval", scene.sample_interval},
-            {"force_filter", scene.force_filter},
-            {"frame_times", scene.frame_times}};
+    json setup = {{"scheme_revision", scheme_revision},
+                  {"parameters", parameters_json(resolved)},
+                  {"tank", vector_json(scene.tank.high)},
+                  {"water_boxes", boxes_json(scene.water_boxes)},
+                  {"air_boxes", boxes_json(scene.air ? scene.air_boxes : std::vector<Box>{})},
+                  {"bodies", bodies},
+                  {"initial",
+                   {static_cast<int>(scene.initial.law), scene.initial.surface, scene.initial.released_face}},
+                  {"probes", scene.probe_text},
+                  {"end_time", scene.end_time},
+                  {"sample_interval", scene.sample_interval},
+                  {"force_filter", scene.force_filter},
+                  {"frame_times", scene.frame_times}};
+    if (scene.arrangement != 0) setup["arrangement"] = scene.arrangement;
+    return setup;
 }
 
 std::string setup_identity(const Scene& scene) {

@@ -105,6 +105,15 @@ double highest_top(const std::vector<Box>& boxes) {
     return top;
 }
 
+/// A whole number: a seed that was rounded would be another one.
+void read_arrangement(const TomlTable& initial, Scene& scene) {
+    constexpr double largest = 1e9;
+    const double seed = initial.number_or("arrangement", 0);
+    if (seed < 0 || seed > largest || seed != std::floor(seed))
+        initial.fail("arrangement", "expected a whole number from 0 (the lattice) to 1e9");
+    scene.arrangement = static_cast<std::uint64_t>(seed);
+}
+
 void read_initial(const TomlTable& root, Scene& scene) {
     const TomlTable table = root.table("initial");
     const std::optional<double> surface = table.optional_number("surface");
@@ -116,6 +125,7 @@ void read_initial(const TomlTable& root, Scene& scene) {
     } else {
         table.has("released_face");
     }
+    read_arrangement(table, scene);
     table.finish();
 }
 

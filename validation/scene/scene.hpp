@@ -2,6 +2,7 @@
 // A scene: everything a scene file says, for one variant, as plain data.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -41,6 +42,9 @@ struct InitialPressure {
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
+/// The key of the seed of a disturbed arrangement of the particles; 0: the lattice.
+inline constexpr const char* arrangement_key = "initial.arrangement";
+
 /// Reasons why a scene lives with a doubt that `check` would raise; empty: it does not.
 struct AcceptedDoubts {
     std::string sound_speed;  ///< of the water, too low for slamming
@@ -71,6 +75,7 @@ struct Scene {
     std::vector<Box> water_boxes, air_boxes;
     std::vector<BodySpec> bodies;
     InitialPressure initial;
+    std::uint64_t arrangement = 0;  ///< seed of settled_arrangement; 0: the lattice
     std::vector<Probe> probes;
     double end_time = 0;                 ///< [s]
     double sample_interval = 0;          ///< of the probes [s]

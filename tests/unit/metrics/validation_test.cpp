@@ -178,7 +178,7 @@ TEST_CASE("Only the default variant is judged with fewer than three spacings", "
 
 TEST_CASE("An uncertainty of the data by judgement counts and is named", "[validation]") {
     AnalysisSpec spec = scene();
-    spec.quantities[0].uncertainty_assumed = true;
+    spec.quantities[0].assumed_reason = "by judgement";
     const ValidationRow row = analysed(spec, sweep()).validation.at(0);
     CHECK(row.u_data.value() == 0.1);
     CHECK(row.assumed == std::vector<std::string>{"u_data"});
