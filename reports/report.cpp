@@ -21,6 +21,7 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
                   const ReportInputs& inputs) {
     Page page(directory, inputs.plotly, stamp_of(summary));
     if (about_runs(summary)) {
+        add_verdicts_part(page, summary);
         add_failures(page, summary);
         add_front_part(page, summary);
     }

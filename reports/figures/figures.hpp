@@ -27,6 +27,9 @@ Figure side_by_side_figure(const AnalysisSpec& scene, const SideBySide& entry, c
 std::vector<Figure> convergence_figures(const Summary& summary, const AnalysisSpec& scene);
 std::vector<Figure> curve_convergence_figures(const Summary& summary, const AnalysisSpec& scene);
 
+/// Distribution functions of the replicates of the values that scatter most, beside their references.
+std::vector<Figure> replicate_figures(const Summary& summary, const AnalysisSpec& scene);
+
 /// Energies of one variant over time.
 std::vector<Figure> energy_figures(const Runs& runs_of_variant, std::size_t variant);
 

@@ -11,9 +11,14 @@
 namespace wetdeck::report {
 namespace {
 
-/// Numerical uncertainty of the finest value: the index, or the range of the values where it is undefined.
+/// Numerical uncertainty of the finest value (95 %): of the index and of least squares, or the range of the
+/// values where both are undefined.
 std::string numerical_uncertainty(const ConvergenceRow& row) {
-    if (row.gci_fine) return fmt::format("GCI {}", number(*row.gci_fine));
+    const std::string fitted =
+        row.least_squares ? fmt::format("least squares {}", number(*row.least_squares)) : "";
+    if (row.gci_fine)
+        return fmt::format("GCI {}{}{}", number(*row.gci_fine), fitted.empty() ? "" : ", ", fitted);
+    if (!fitted.empty()) return fitted;
     if (row.value.size() < 2) return "—";
     const auto [low, high] = std::minmax_element(row.value.begin(), row.value.end());
     return fmt::format("range {} to {}", number(*low), number(*high));

@@ -13,6 +13,8 @@ namespace wetdeck::report {
 std::string header_markup(const Summary& summary, const ReportInputs& inputs, const Page& page);
 /// Runs that became unstable, failed or are missing; values and curves outside tolerance.
 void add_failures(Page& page, const Summary& summary);
+/// Verdicts of all scenes in one table.
+void add_verdicts_part(Page& page, const Summary& summary);
 /// Table of runs, suite statistics, speed against error, revisions.
 void add_front_part(Page& page, const Summary& summary);
 /// Bias and scatter of each class of quantities over all scenes.

@@ -130,8 +130,17 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     page.add(curve_convergence_table(summary, scene));
     page.add_figures(curve_convergence_figures(summary, scene));
 
+    if (const std::string replicates = replicates_table(summary, scene); !replicates.empty()) {
+        page.section(3, "Replicates", scene.scene);
+        page.add(replicates);
+        page.add_figures(replicate_figures(summary, scene));
+    }
     page.section(3, "Error and its uncertainty", scene.scene);
     page.add(validation_table(summary, scene));
+    if (const std::string table = verification_table(summary, scene); !table.empty()) {
+        page.section(3, "Beside exact solutions and other computations", scene.scene);
+        page.add(table);
+    }
     page.add(sensitivity_table(summary, scene));
     if (const std::string sound = sound_speed_table(summary, scene); !sound.empty()) {
         page.section(3, "Sound speed and spacing", scene.scene);

@@ -25,6 +25,10 @@ std::string peer_table(const Runs& runs);
 std::string convergence_table(const Summary& summary, const AnalysisSpec& scene);
 std::string curve_convergence_table(const Summary& summary, const AnalysisSpec& scene);
 std::string validation_table(const Summary& summary, const AnalysisSpec& scene);
+/// The same beside exact solutions and other computations; empty without any.
+std::string verification_table(const Summary& summary, const AnalysisSpec& scene);
+/// Empty without replicates.
+std::string replicates_table(const Summary& summary, const AnalysisSpec& scene);
 std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene);
 /// Empty where the scene asks for no runs at several sound speeds.
 std::string sound_speed_table(const Summary& summary, const AnalysisSpec& scene);

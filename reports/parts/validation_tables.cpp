@@ -15,7 +15,19 @@ Cell with_basis(const ValidationRow& row, const char* name, std::optional<double
     if (!uncertainty) return text("unknown");
     const bool assumed = std::find(row.assumed.begin(), row.assumed.end(), name) != row.assumed.end();
     if (!assumed) return value(uncertainty);
-    return markup(number(*uncertainty) + "<br><span class=\"soft\">assumed</span>");
+    const bool of_data = std::string_view(name) == "u_data" && !row.assumed_reason.empty();
+    return markup(fmt::format("{}<br><span class=\"soft\">assumed{}</span>", number(*uncertainty),
+                              of_data ? ": " + escape(row.assumed_reason) : ""));
+}
+
+/// u_num with its two parts and where it comes from.
+Cell numerical_cell(const ValidationRow& row) {
+    if (!row.u_num) return text(row.u_num_source);
+    const std::string parts = row.u_scatter ? fmt::format("u_grid {}, u_scatter {}<br>", number(*row.u_grid),
+                                                          number(*row.u_scatter))
+                                            : "";
+    return markup(fmt::format("{}<br><span class=\"soft\">{}{}</span>", number(*row.u_num), parts,
+                              escape(row.u_num_source)));
 }
 
 std::string error_text(const ValidationRow& row) {
@@ -36,23 +48,24 @@ std::string both(const ComparisonResult& c, const char* name) {
 
 }  // namespace
 
-std::string validation_table(const Summary& summary, const AnalysisSpec& scene) {
+namespace {
+
+/// One table a variant; empty without rows.
+std::string tables_of(const std::vector<ValidationRow>& rows, const Summary& summary,
+                      const AnalysisSpec& scene) {
     std::string out;
     for (const std::string& variant : variants_of(runs_of(summary, scene))) {
-        Table table({"quantity", "dx [m]", "simulation S", "measured D", "E = S − D ± u_val", "u_num",
+        Table table({"quantity", "dx [m]", "simulation S", "reference D", "E = S − D ± u_val", "u_num",
                      "u_input", "u_data", "verdict"},
                     "compact");
-        for (const ValidationRow& row : summary.validation) {
+        for (const ValidationRow& row : rows) {
             if (row.scene != scene.scene || row.variant != variant) continue;
             const std::string kind = row.kind ? "" : ", kind not stated";
             table.add({markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}{}</span>",
                                           escape(row.quantity), escape(row.against), kind),
                               "wide"),
                        value(row.dx, "-", 4), value(row.simulated, row.unit), value(row.reference, row.unit),
-                       markup(escape(error_text(row)), "number"),
-                       row.u_num ? markup(fmt::format("{}<br><span class=\"soft\">{}</span>",
-                                                      number(*row.u_num), escape(row.u_num_source)))
-                                 : text(row.u_num_source),
+                       markup(escape(error_text(row)), "number"), numerical_cell(row),
                        with_basis(row, "u_input", row.u_input), with_basis(row, "u_data", row.u_data),
                        markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>", escape(row.verdict),
                                           escape(row.sentence)),
@@ -61,12 +74,34 @@ std::string validation_table(const Summary& summary, const AnalysisSpec& scene) 
         if (table.empty()) continue;
         out += details("Variant " + variant, table.html(), variant == scene.default_variant);
     }
+    return out;
+}
+
+}  // namespace
+
+std::string verification_table(const Summary& summary, const AnalysisSpec& scene) {
+    const std::string out = tables_of(summary.agreement, summary, scene);
+    if (out.empty()) return "";
+    return out + paragraph(
+                     "The same inputs on both sides, so that u_input is zero; an exact solution has no "
+                     "uncertainty. Agreement verifies, and validates nothing.",
+                     "soft");
+}
+
+std::string validation_table(const Summary& summary, const AnalysisSpec& scene) {
+    const std::string out = tables_of(summary.validation, summary, scene);
     if (out.empty()) return paragraph("There is no measured value to compare with.", "soft");
     return out +
            paragraph(
                "After ASME V&V 20: E is the comparison error and u_val² = u_num² + u_input² + u_data², all "
-               "standard uncertainties (k = 1). u_num: half the grid convergence index, or the range of the "
-               "values at the three finest spacings if these do not converge monotonically. An uncertainty "
+               "standard uncertainties (k = 1). u_num² = u_grid² + u_scatter². u_grid, of the spacing: half "
+               "the 95 % uncertainty of a least-squares fit to four or more spacings (Eça and Hoekstra), "
+               "half "
+               "the grid convergence index of three, or the range of the values at the three finest spacings "
+               "if these do not converge monotonically. u_scatter, of the arrangement of the particles: the "
+               "standard deviation of the replicates; where the spacings oscillate, or differ by no more "
+               "than "
+               "replicates do, u_grid is what their spread exceeds that of the replicates by. An uncertainty "
                "that is neither stated nor assumed by judgement is unknown and is not taken as zero; u_val "
                "then has only a lower bound. The error of the model lies within E ± 1.96 u_val with a "
                "confidence of 95 %. Where that includes zero, a model error of this size cannot be resolved. "

@@ -58,7 +58,7 @@ TEST_CASE("a suite runs every row, and its report can be made again to the same 
         REQUIRE(summary() == first_summary);
     }
     const nlohmann::json json = nlohmann::json::parse(first_summary);
-    REQUIRE(json.at("schema") == 1);
+    REQUIRE(json.at("schema") == 2);
     REQUIRE(json.at("tier") == "quick");
     REQUIRE(json.at("runs").size() == 2);
     for (const nlohmann::json& run : json.at("runs")) REQUIRE(run.at("status") == "ok");

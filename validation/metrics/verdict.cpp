@@ -76,9 +76,9 @@ std::string verdict_of(const ValidationRow& row, const Words& words) {
     if (fit(row)) return "validated";
     if (zero_is_possible(row)) {
         if (spacing_dominates(row)) return "refine first";
-        return row.u_val && row.u_known > 0 ? words.possible : "unknown";
+        return row.u_known > 0 ? words.possible : "unknown";
     }
-    if (!row.u_val) return "unknown";
+    if (!error_is_shown(row)) return "unknown";
     return row.error > 0 ? words.above : words.below;
 }
 
@@ -140,6 +140,10 @@ std::string fitness(const ValidationRow& row) {
 }
 
 }  // namespace
+
+bool error_is_shown(const ValidationRow& row) {
+    return row.u_val && !zero_is_possible(row);
+}
 
 void conclude(ValidationRow& row) {
     const Words& words = words_of(row.kind);

@@ -17,6 +17,9 @@ namespace wetdeck {
 /// Half the width of a 95 % interval over the standard uncertainty, of a normal distribution.
 inline constexpr double confidence = 1.96;
 
+/// Whether the error is larger than the known parts of its uncertainty allow for, and none is unknown.
+bool error_is_shown(const ValidationRow& row);
+
 /// Sets verdict, sentence and largest part of a row whose error, uncertainties and interval are filled in.
 void conclude(ValidationRow& row);
 

@@ -255,11 +255,11 @@ TEST_CASE("A run of a scene without specification is kept without quantities", "
     CHECK(summary.speed_error.size() == 3);
 }
 
-TEST_CASE("The JSON holds every key of schema 1", "[summary_json]") {
+TEST_CASE("The JSON holds every key of schema 2", "[summary_json]") {
     Summary summary = analyse({scene()}, sweep(), references);
     summary.tier = "quick";
     const auto json = summary_json(summary, {"0.1.0", "abc", "g++", "avx2", 2, "a processor", 4});
-    CHECK(json["schema"] == 1);
+    CHECK(json["schema"] == 2);
     CHECK(json["tier"] == "quick");
     CHECK(json["program"] ==
           nlohmann::json::parse(

@@ -19,7 +19,7 @@ ValidationRow row_with(double error, std::optional<double> u_num, std::optional<
     row.reference = 10;
     row.simulated = 10 + error;
     row.error = error;
-    row.u_num = u_num;
+    row.u_num = row.u_grid = u_num;
     row.u_input = u_input;
     row.u_data = u_data;
     row.u_known = std::sqrt(std::pow(u_num.value_or(0), 2) + std::pow(u_input.value_or(0), 2) +
@@ -46,6 +46,18 @@ ValidationRow requiring(double share, ValidationRow row) {
     return row;
 }
 
+/// All of u_num is the scatter among arrangements of the particles.
+ValidationRow scattering(ValidationRow row) {
+    row.u_scatter = row.u_grid;
+    row.u_grid = 0;
+    return row;
+}
+
+ValidationRow beside(ReferenceKind kind, ValidationRow row) {
+    row.kind = kind;
+    return row;
+}
+
 ValidationRow assuming(const char* name, ValidationRow row) {
     row.assumed = {name};
     return row;
@@ -64,6 +76,40 @@ TEST_CASE("The verdict says what the error and its uncertainties allow", "[verdi
     // what is known is enough to make zero possible
     CHECK(verdict(row_with(0.5, 0.1, {}, 1)) == "within the uncertainty");
     CHECK(verdict(row_with(0.5, 1, {}, 0.1)) == "refine first");
+    // finer particles do not make the scatter smaller
+    CHECK(verdict(scattering(row_with(1.9, 1.1, 0.1, 1))) == "within the uncertainty");
+}
+
+TEST_CASE("Beside an exact solution or another code the verdict has words of its own", "[verdict]") {
+    const ReferenceKind kind =
+        GENERATE(ReferenceKind::analytic, ReferenceKind::peer_simulation, ReferenceKind::stated);
+    CHECK(verdict(beside(kind, row_with(2, 0.1, 0, 0.9))) == "higher");
+    CHECK(verdict(beside(kind, row_with(-2, 0.1, 0, 0.9))) == "lower");
+    CHECK(verdict(beside(kind, row_with(1.9, 0.1, 0, 1))) == "agrees");
+    CHECK(verdict(beside(kind, row_with(1.9, 1.1, 0, 0))) == "refine first");
+    CHECK(verdict(beside(kind, row_with(5, 0.1, 0, {}))) == "unknown");
+    CHECK_THAT(sentence(beside(kind, row_with(2, 0.1, 0, 0.9))), !Contains("measurement"));
+    CHECK_THAT(sentence(beside(ReferenceKind::analytic, row_with(2, 0.1, 0, 0))),
+               Contains("the exact solution 10 Pa") && Contains("the error of the solution lies between"));
+    CHECK_THAT(sentence(beside(ReferenceKind::peer_simulation, row_with(0.1, 0.1, 0, 1))),
+               Contains("the other computation 10 Pa") && Contains("the difference between both lies") &&
+                   Contains("agree within what both can tell"));
+}
+
+TEST_CASE("The largest part of the uncertainty is named, with what would make it smaller", "[verdict]") {
+    const auto largest = [](ValidationRow row) {
+        row.largest_input = "body.mass";
+        conclude(row);
+        return row;
+    };
+    CHECK(largest(row_with(1, 0.9, 0.1, 0.1)).largest_part == "spacing");
+    CHECK(largest(scattering(row_with(1, 0.9, 0.1, 0.1))).largest_part == "arrangement");
+    CHECK_THAT(largest(scattering(row_with(1, 0.9, 0.1, 0.1))).sentence,
+               Contains("mean of several replicates"));
+    CHECK(largest(row_with(1, 0.1, 0.9, 0.1)).largest_part == "inputs");
+    CHECK_THAT(largest(row_with(1, 0.1, 0.9, 0.1)).sentence, Contains("a better known body.mass"));
+    CHECK(largest(row_with(1, 0.1, 0.1, 0.9)).largest_part == "reference");
+    CHECK(largest(row_with(1, {}, {}, {})).largest_part.empty());
 }
 
 TEST_CASE("Required accuracy turns the interval into fitness for a purpose", "[verdict]") {
@@ -78,11 +124,12 @@ TEST_CASE("Required accuracy turns the interval into fitness for a purpose", "[v
 }
 
 TEST_CASE("The sentence names values, interval, largest part and what is assumed", "[verdict]") {
-    CHECK(sentence(row_with(2, 0.3, 0.4, 0)) ==
+    CHECK(sentence(row_with(2, 0.4, 0.3, 0)) ==
           "The simulation gives 12 Pa, the measurement 10 Pa: 2 Pa (20 %) higher. With 95 % confidence the "
-          "model's error lies between 1.02 and 2.98 Pa. Most of this uncertainty is that of the inputs "
-          "(u_input): better known inputs would help most.");
-    CHECK_THAT(sentence(row_with(-0.5, 0.3, 0.4, 0)), Contains("lower") && Contains("so that none is shown"));
+          "error of the model lies between 1.02 and 2.98 Pa. Most of this uncertainty is that of the spacing "
+          "(u_grid): finer particles would help most.");
+    CHECK_THAT(sentence(row_with(-0.5, 0.3, 0.4, 0)),
+               Contains("lower") && Contains("so that no error is shown"));
     ValidationRow falling = row_with(0.5, 0.3, 0.4, 0);
     falling.reference = -10;
     CHECK_THAT(sentence(falling), Contains("0.5 Pa (5 %) smaller in magnitude"));

@@ -70,6 +70,7 @@ inline Summary summary() {
                                  {},
                                  {},
                                  {},
+                                 {},
                                  true,
                                  "too few spacings"});
     }
