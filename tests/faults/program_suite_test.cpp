@@ -173,6 +173,28 @@ TEST_CASE("a suite varies the inputs of the sensitivity study, and its report te
     CHECK(std::filesystem::last_write_time(folder / low) == before);
 }
 
+TEST_CASE("a suite runs other arrangements of the particles, and its report tells how much they differ",
+          "[faults]") {
+    const ScratchFolder folder;
+    const auto scene = put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.04]") +
+                                             "[replicates]\nvariants = [\"two-phase\"]\ncount = 40\n");
+    std::vector<std::string> command = suite(scene, folder);
+    command.insert(command.end(), {"--replicates", "3"});
+    REQUIRE(run_program(command).code == 0);
+    const auto summary = nlohmann::json::parse(samples::bytes_of(folder / "out/summary.json"));
+    CHECK(summary["runs"].size() == 1);
+    CHECK(summary["missing"].empty());
+    REQUIRE_FALSE(summary["replicates"].empty());
+    for (const auto& row : summary["replicates"]) {
+        CHECK(row["n"] == 3);
+        CHECK(row["sd"] > 0);
+        CHECK(row["low95"] < row["mean"]);
+        CHECK(row["mean"] < row["high95"]);
+    }
+    CHECK(read_run(folder / "out/replicates/small/two-phase/initial.arrangement=2/run.h5")
+              .provenance.at("overrides") == "initial.arrangement=2");
+}
+
 TEST_CASE("a baseline of a clean program is kept and compared; from a dirty one it is refused", "[faults]") {
     const ScratchFolder folder;
     const auto scene = put_scene(folder, samples::with("single-phase = [0.02, 0.04]", "two-phase = [0.04]"));

@@ -96,6 +96,7 @@ std::string suite_command(const PlanOptions& plan, const RowOptions& row) {
         scenes += (scenes.empty() ? "" : ",") + (file ? fs::absolute(scene).string() : scene);
     }
     if (!scenes.empty()) command += " --only " + shell_quoted(scenes);
+    if (plan.replicates) command += fmt::format(" --replicates {}", *plan.replicates);
     if (row.fresh) command += " --fresh";
     return command;
 }

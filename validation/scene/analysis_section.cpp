@@ -227,6 +227,7 @@ void read_sensitivities(const TomlTable& root, AnalysisSpec& analysis) {
 /// Names of variants of this scene.
 std::vector<std::string> variants_in(const TomlTable& table, const Scene& scene) {
     const std::vector<std::string> names = table.texts("variants");
+    if (names.empty()) table.fail("variants", "expected at least one variant");
     for (const std::string& name : names) {
         const auto same = [&](const VariantInfo& variant) { return variant.name == name; };
         if (std::none_of(scene.variants.begin(), scene.variants.end(), same))

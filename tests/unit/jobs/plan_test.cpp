@@ -86,6 +86,48 @@ TEST_CASE(
                       Catch::Contains("key 'sound_speed_study.variants': 'three-phase' is not a variant"));
 }
 
+TEST_CASE("A plan has the replicates that a scene or the caller asks for, at the coarsest spacing",
+          "[plan]") {
+    SmallPlan plan;
+    const std::string scene = plan.options.scenes[0];
+    samples::put_bytes(scene,
+                       samples::bytes_of(scene) + "[replicates]\nvariants = [\"two-phase\"]\ncount = 3\n");
+    const auto replicates = [&] {
+        std::vector<SuiteRow> rows = suite_rows(plan.options);
+        std::erase_if(rows, [](const SuiteRow& row) {
+            return row.overrides.empty() || !row.overrides[0].starts_with("initial.arrangement=");
+        });
+        return rows;
+    };
+    const std::vector<SuiteRow> rows = replicates();
+    REQUIRE(rows.size() == 3);
+    for (const SuiteRow& row : rows) {
+        CHECK(row.particle_spacing == 0.04);
+        CHECK(row.overrides.size() == 1);
+        CHECK(row.directory == plan.options.directory / "replicates/small/two-phase" / row.overrides[0]);
+        CHECK(row_name(row).ends_with(" dx 0.04 " + row.overrides[0]));
+    }
+    CHECK(rows[0].overrides != rows[1].overrides);
+    plan.options.replicates = 5;
+    CHECK(replicates().size() == 5);
+    plan.options.replicates = 0;
+    CHECK(replicates().empty());
+}
+
+TEST_CASE("Replicates of another variant, or a number of them that is none, are refused", "[plan]") {
+    SmallPlan plan;
+    const std::string scene = plan.options.scenes[0];
+    const auto [keys, message] = GENERATE(table<const char*, const char*>(
+        {{"variants = [\"three-phase\"]", "key 'replicates.variants': 'three-phase' is not a variant"},
+         {"variants = [\"two-phase\"]\ncount = 1", "key 'replicates.count': expected a whole number"},
+         {"variants = [\"two-phase\"]\ncount = 2.5", "key 'replicates.count': expected a whole number"},
+         {"variants = [\"two-phase\"]\ncount = 1001", "key 'replicates.count': expected a whole number"},
+         {"variants = [\"two-phase\"]\nseeds = 3", "seeds"},
+         {"count = 3", "variants"}}));
+    samples::put_bytes(scene, samples::small_scene + "[replicates]\n" + keys + "\n");
+    CHECK_THROWS_WITH(suite_rows(plan.options), Catch::Contains(message));
+}
+
 TEST_CASE("A row without a directory is neither finished nor interrupted", "[plan]") {
     const SmallPlan plan;
     for (const SuiteRow& row : suite_rows(plan.options)) {

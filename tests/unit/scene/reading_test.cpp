@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/unit/scene/scene_samples.hpp"
+#include "validation/scene/identity.hpp"
 
 using namespace wetdeck;
 using samples::small_scene;
@@ -127,4 +128,15 @@ TEST_CASE("the resolved text tells runs apart that differ by variant or override
     REQUIRE(plain != read({"run.end_time=0.3"}).resolved);
     REQUIRE(plain != read({}, "single-phase").resolved);
     REQUIRE(plain == parse_scene("# a remark\n" + small_scene, "elsewhere.toml", "two-phase").resolved);
+}
+
+TEST_CASE("The arrangement of the particles is the lattice unless a scene says otherwise", "[scene]") {
+    CHECK(parse_scene(small_scene, "small.toml").arrangement == 0);
+    const Scene other = parse_scene(small_scene, "small.toml", {}, {"initial.arrangement=7"});
+    CHECK(other.arrangement == 7);
+    CHECK(setup_identity(other) != setup_identity(parse_scene(small_scene, "small.toml")));
+    const char* value = GENERATE("-1", "1.5", "2e9", "\"first\"");
+    CHECK_THROWS_WITH(
+        parse_scene(small_scene, "small.toml", {}, {std::string("initial.arrangement=") + value}),
+        Catch::Contains("initial.arrangement"));
 }
