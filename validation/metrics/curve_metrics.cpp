@@ -135,4 +135,18 @@ std::optional<double> reference_feature(const ComparisonResult& comparison, cons
     return std::nullopt;
 }
 
+const char* judged_feature(const ComparisonResult& comparison) {
+    constexpr double least_share = 0.1;
+    const std::optional<double> peak = reference_feature(comparison, "peak");
+    if (!peak) return "mean";
+    const Curve& measured = comparison.measured;
+    if (measured.x.empty()) return "peak";
+    const auto window = overlap(measured, comparison.window.value_or(extent(measured)));
+    if (!window) return "peak";
+    const Curve part = clip(measured, *window);
+    const double lowest = *std::min_element(part.y.begin(), part.y.end());
+    const double above_ends = *peak - std::max(part.y.front(), part.y.back());
+    return above_ends >= least_share * (*peak - lowest) ? "peak" : "mean";
+}
+
 }  // namespace wetdeck

@@ -29,4 +29,8 @@ CurveAgreement curve_agreement(const Curve& simulated, const Curve& reference, c
 std::optional<double> simulated_feature(const ComparisonResult& comparison, const std::string& name);
 std::optional<double> reference_feature(const ComparisonResult& comparison, const std::string& name);
 
+/// The feature that speaks for the curve: "peak" where the reference has one that stands above both ends of
+/// the window by a tenth of its range, else "mean". The last ripple of a decreasing curve is no peak.
+const char* judged_feature(const ComparisonResult& comparison);
+
 }  // namespace wetdeck

@@ -54,14 +54,14 @@ std::optional<double> required_accuracy(const AnalysisSpec& scene, const std::st
 }
 
 JudgedValue value_of(const AnalysisSpec& scene, const ComparisonResult& c) {
-    const bool peaked = reference_feature(c, "peak").has_value();
-    const char* const feature = peaked ? "peak" : "mean";
+    const std::string_view feature = judged_feature(c);
+    const bool peaked = feature == "peak";
     JudgedValue value{fmt::format("{}: {} against {}", distinct_name(scene, c), feature, c.reference),
                       "-",
                       c.title,
                       c.kind,
-                      simulated_feature(c, feature),
-                      reference_feature(c, feature),
+                      simulated_feature(c, std::string(feature)),
+                      reference_feature(c, std::string(feature)),
                       {},
                       {},
                       required_accuracy(scene, c.title)};

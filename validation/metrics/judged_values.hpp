@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The values of a run that have a verdict: its quantities, and the peak of each curve that is compared with a
-// reference, or the mean where the reference has no peak inside the window.
+// The values of a run that have a verdict: its quantities, and the peak or the mean of each curve that is
+// compared with a reference (judged_feature).
 #pragma once
 
 #include <optional>

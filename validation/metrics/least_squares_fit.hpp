@@ -9,7 +9,8 @@
 //     U = F e + s + r                 where s < D
 //     U = 3 (s/D)(e + s + r)          else,
 // F = 1.25 for 0.5 <= p < 2.1 and s < D, else 3. U is meant as a 95 % interval. It is one where the noise of
-// the values is below 3 % of the finest error; it holds the limit in 79 % of cases at worst, where it is 20 %.
+// the values is below 3 % of the finest error; it holds the limit in 79 % of cases at worst, where it is 20
+// %.
 #pragma once
 
 #include <optional>

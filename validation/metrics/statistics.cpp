@@ -93,7 +93,7 @@ std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSu
 std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSummary& run,
                                         const ComparisonResult& c) {
     const Series* series = series_of(run, c.quantity);
-    const char* feature = reference_feature(c, "peak") ? "peak" : "mean";
+    const char* const feature = judged_feature(c);
     const auto predicted = simulated_feature(c, feature), expected = reference_feature(c, feature);
     if (series == nullptr || !predicted || !expected) return std::nullopt;
     ScatterPoint point = point_of(run);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "validation/metrics/curve_convergence.hpp"
+#include "validation/metrics/resample.hpp"
 
 using namespace wetdeck;
 
@@ -100,6 +101,24 @@ TEST_CASE("A curve that is highest at an end of the window has no peak", "[curve
     CHECK_FALSE(features[0].simulated.has_value());
     CHECK(features[0].reference.has_value());
     CHECK_FALSE(features[2].simulated.has_value());
+}
+
+TEST_CASE("The last ripple of a falling curve is no peak to judge by", "[curve_metrics]") {
+    const auto judged = [](const std::function<double(double)>& f) {
+        ComparisonResult c;
+        c.window = window;
+        c.simulated = c.measured = curve(f);
+        c.features = curve_features(clip(c.simulated, window), clip(c.measured, window), window);
+        return std::string(judged_feature(c));
+    };
+    CHECK(judged(pulse) == "peak");
+    CHECK(judged([](double x) { return x; }) == "mean");
+    // a body that slows down: the largest value is the last ripple
+    const auto slowing = [](double x) { return -5 + 3 * x + 0.02 * std::sin(40 * x); };
+    CHECK(judged(slowing) == "mean");
+    // a peak above a plateau that is nearly as high
+    CHECK(judged([](double x) { return x < 0.4 ? 2 * x : 0.8 + 0.05 * pulse(x); }) == "mean");
+    CHECK(judged([](double x) { return x < 0.4 ? 2 * x : 0.8 + 0.3 * pulse(x); }) == "peak");
 }
 
 TEST_CASE("A curve of second order gives order 2.00 and its exact index", "[curve_convergence]") {

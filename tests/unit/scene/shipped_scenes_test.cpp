@@ -69,6 +69,23 @@ TEST_CASE("every spacing of every tier fits its scene") {
     });
 }
 
+TEST_CASE("the spacings of a judged variant are a quarter apart, and those of the standard tier are enough") {
+    for_every_variant([](const Scene& scene) {
+        for (const char* tier : {"quick", "standard"}) {
+            INFO(tier);
+            const auto found = scene.tiers.at(tier).find(scene.variant);
+            if (found == scene.tiers.at(tier).end()) continue;
+            std::vector<double> spacings = found->second;
+            std::sort(spacings.begin(), spacings.end());
+            const bool judged = spacings.size() >= 3;
+            if (tier == std::string("standard") && scene.variant == scene.analysis.default_variant)
+                CHECK(judged);
+            for (std::size_t k = 0; judged && k + 1 < spacings.size(); ++k)
+                CHECK(spacings[k + 1] / spacings[k] >= 1.25 * (1 - 1e-6));
+        }
+    });
+}
+
 TEST_CASE("every reference of a shipped scene can be loaded or is known to be missing") {
     for_every_variant([](const Scene& scene) {
         if (scene.variant == scene.analysis.default_variant)
