@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "reports/parts/tables.hpp"
 
@@ -110,13 +111,19 @@ std::string validation_table(const Summary& summary, const AnalysisSpec& scene) 
 }
 
 std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene) {
-    Table table({"input", "varied", "standard uncertainty", "quantity", "at low", "at high", "u_input"},
+    std::map<std::pair<std::string, std::string>, double> squares;  // of u_input, by variant and quantity
+    for (const SensitivityRow& row : summary.sensitivity)
+        if (row.scene == scene.scene) squares[{row.variant, row.quantity}] += row.u_input * row.u_input;
+    Table table({"input", "varied", "standard uncertainty", "quantity", "at low", "at high", "u_input",
+                 "share of u_input²"},
                 "compact");
     for (const SensitivityRow& row : summary.sensitivity) {
         if (row.scene != scene.scene) continue;
+        const double sum = squares.at({row.variant, row.quantity});
         table.add({markup(escape(row.key), "name"), text(number(row.low, 4) + " to " + number(row.high, 4)),
                    value(row.uncertainty), text(row.quantity), value(row.value_low, row.unit),
-                   value(row.value_high, row.unit), value(row.u_input, row.unit)});
+                   value(row.value_high, row.unit), value(row.u_input, row.unit),
+                   text(sum > 0 ? number(100 * row.u_input * row.u_input / sum) + " %" : "—")});
     }
     if (table.empty()) {
         return scene.sensitivities.empty()

@@ -164,7 +164,7 @@ std::vector<ValidationRow> rows_of(const AnalysisSpec& scene, const std::vector<
                 if (row.u_input && assumes_inputs(scene)) row.assumed.emplace_back("u_input");
             } else {
                 row.u_input = 0;
-                if (describe(*row.kind).exact) row.u_data = 0;
+                if (describe(*row.kind).exact && !row.u_data) row.u_data = 0;
             }
             combine(row);
             conclude(row);

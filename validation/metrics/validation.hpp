@@ -33,7 +33,7 @@ std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std:
                                            const InputStudies& studies);
 
 /// The same against exact solutions, other codes and values stated in publications: the same inputs, so that
-/// u_input is zero; u_data of an exact solution is zero.
+/// u_input is zero; u_data of an exact solution is zero unless it is stated.
 std::vector<ValidationRow> agreement_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
                                           const InputStudies& studies);
 

@@ -52,7 +52,15 @@ const Words& words_of(std::optional<ReferenceKind> kind) {
                                  "higher",
                                  "lower",
                                  "that of the other computation (u_data): a finer one would help most"};
+    static constexpr Words stated{"the value stated in a publication",
+                                  "the difference between both",
+                                  "so that they agree within what both can tell",
+                                  "agrees",
+                                  "higher",
+                                  "lower",
+                                  "that of the stated value (u_data)"};
     if (!kind || describe(*kind).validates) return measured;
+    if (*kind == ReferenceKind::stated) return stated;
     return describe(*kind).exact ? exact : other;
 }
 
@@ -90,6 +98,15 @@ std::string with_unit(double value, const ValidationRow& row) {
 /// " (12 %)" of the reference; empty where that is zero.
 std::string share(double value, const ValidationRow& row) {
     return row.reference == 0 ? "" : fmt::format(" ({:.2g} %)", 100 * std::abs(value / row.reference));
+}
+
+/// On which side of the reference the simulation is. Of a negative reference "higher" would be a slower fall.
+const char* side_of(const ValidationRow& row) {
+    const bool larger = (row.error > 0) == (row.reference >= 0);
+    if (row.unit == "s") return row.error > 0 ? "later" : "earlier";
+    if (row.unit == "m/s") return larger ? "faster" : "slower";
+    if (row.reference < 0) return larger ? "larger in magnitude" : "smaller in magnitude";
+    return larger ? "higher" : "lower";
 }
 
 std::string missing(const ValidationRow& row) {
@@ -148,13 +165,9 @@ bool error_is_shown(const ValidationRow& row) {
 void conclude(ValidationRow& row) {
     const Words& words = words_of(row.kind);
     row.verdict = verdict_of(row, words);
-    const bool negative = row.reference < 0;  // "higher" would be a slower fall
-    const char* side = negative        ? row.error > 0 ? "smaller in magnitude" : "larger in magnitude"
-                       : row.error > 0 ? "higher"
-                                       : "lower";
     row.sentence = fmt::format("The simulation gives {}, {} {}: {}{} {}.", with_unit(row.simulated, row),
                                words.theirs, with_unit(row.reference, row),
-                               with_unit(std::abs(row.error), row), share(row.error, row), side);
+                               with_unit(std::abs(row.error), row), share(row.error, row), side_of(row));
     const Part largest = largest_part(row, words);
     if (largest.size > 0) row.largest_part = largest.name;
     if (!row.u_val) {

@@ -16,12 +16,50 @@ struct TomlDocument::State {
 
 namespace {
 
+/// Place of an entry of an array: of the table with that name, or by its number from 0.
+toml::array::iterator entry_of(toml::array& array, const std::string& key) {
+    if (!array.is_array_of_tables()) {
+        const bool number = !key.empty() && key.size() < 6 &&
+                            std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+        const std::size_t place = number ? std::stoul(key) : array.size();
+        return place < array.size() ? array.begin() + static_cast<std::ptrdiff_t>(place) : array.end();
+    }
+    return std::find_if(array.begin(), array.end(), [&](const toml::node& entry) {
+        return entry.as_table()->get("name") && entry.as_table()->get("name")->value_or(std::string()) == key;
+    });
+}
+
+void merge(toml::table& target, toml::table& source, const std::string& where);
+
+/// Replaces or merges entries of an array, as `--set probes.gauge.centre.1=0.3` asks for.
+void merge_entries(toml::array& target, toml::table& source, const std::string& where) {
+    for (auto&& [key, value] : source) {
+        const std::string name(key.str());
+        const toml::array::iterator entry = entry_of(target, name);
+        if (entry == target.end())
+            throw InputError(fmt::format("{}: no entry '{}', expected {}", where, name,
+                                         target.is_array_of_tables()
+                                             ? "the name of one"
+                                             : fmt::format("a number from 0 to {}", target.size() - 1)));
+        if (entry->is_table() && value.is_table()) {
+            merge(*entry->as_table(), *value.as_table(), where);
+        } else if (entry->is_array() && value.is_table()) {
+            merge_entries(*entry->as_array(), *value.as_table(), where);
+        } else {
+            value.visit([&](auto& other) { target.insert(target.erase(entry), std::move(other)); });
+        }
+    }
+}
+
 /// Moves the entries of `source`: a copy would forget where in the file they stand.
-void merge(toml::table& target, toml::table& source) {
+/// @param where  for the message where an array has no such entry
+void merge(toml::table& target, toml::table& source, const std::string& where) {
     for (auto&& [key, value] : source) {
         toml::node* existing = target.get(key.str());
         if (existing && existing->is_table() && value.is_table()) {
-            merge(*existing->as_table(), *value.as_table());
+            merge(*existing->as_table(), *value.as_table(), where);
+        } else if (existing && existing->is_array() && value.is_table()) {
+            merge_entries(*existing->as_array(), *value.as_table(), where);
         } else {
             const toml::key& name = key;  // clang 14 cannot capture a structured binding
             value.visit([&](auto& entry) { target.insert_or_assign(name.str(), std::move(entry)); });
@@ -54,11 +92,11 @@ void TomlDocument::overlay(const std::vector<std::string>& path_to_table, Overla
             throw InputError(fmt::format("{}: no table '{}'", *state_->path, key));
         source = child->as_table();
     }
-    if (entries == Overlay::all) return merge(state_->root, *source);
+    if (entries == Overlay::all) return merge(state_->root, *source, *state_->path);
     for (auto&& [key, value] : *source) {
         toml::node* existing = state_->root.get(key.str());
         if (existing && existing->is_table() && value.is_table())
-            merge(*existing->as_table(), *value.as_table());
+            merge(*existing->as_table(), *value.as_table(), *state_->path);
     }
 }
 
@@ -181,7 +219,7 @@ void TomlDocument::set(const std::string& assignment) {
             throw InputError(where + ": the value is not valid TOML");
         parsed = parse(fmt::format("{}=\"{}\"", assignment.substr(0, equals), value), where);
     }
-    merge(state_->root, parsed);
+    merge(state_->root, parsed, where);
 }
 
 TomlTable TomlDocument::root() const {

@@ -133,6 +133,14 @@ TEST_CASE("The sentence names values, interval, largest part and what is assumed
     ValidationRow falling = row_with(0.5, 0.3, 0.4, 0);
     falling.reference = -10;
     CHECK_THAT(sentence(falling), Contains("0.5 Pa (5 %) smaller in magnitude"));
+    const auto in = [](const char* unit, ValidationRow row) {
+        row.unit = unit;
+        return row;
+    };
+    CHECK_THAT(sentence(in("s", row_with(0.5, 0.3, 0.4, 0))), Contains("0.5 s (5 %) later"));
+    CHECK_THAT(sentence(in("s", row_with(-0.5, 0.3, 0.4, 0))), Contains("earlier"));
+    CHECK_THAT(sentence(in("m/s", row_with(0.5, 0.3, 0.4, 0))), Contains("faster"));
+    CHECK_THAT(sentence(in("m/s", falling)), Contains("slower"));
     CHECK_THAT(sentence(row_with(5, 0.1, {}, {})), Contains("u_input, u_data unknown"));
     // |E| = 1.96 sqrt(0.3^2 + 0.4^2 + u^2) for u = 0.8895
     CHECK_THAT(sentence(assuming("u_data", row_with(2, 0.3, 0.4, 0.1))),

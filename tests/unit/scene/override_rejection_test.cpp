@@ -59,3 +59,24 @@ TEST_CASE("what is wrong with a variant is placed at its line") {
     REQUIRE_THAT(refusal(text, "single-phase"),
                  Catch::StartsWith("small.toml:" + line + ": key 'model.ar': unknown"));
 }
+
+TEST_CASE("an override reaches into a list by the name of an entry and by a number") {
+    const auto with = [](const std::string& override_) {
+        return parse_scene(small_scene, "small.toml", "two-phase", {override_});
+    };
+    const auto height = [](const Scene& scene) { return scene.probes[1].place->begin.y(); };
+    CHECK(height(with("probes.gauge.centre.1=0.12")) ==
+          Approx(height(with("probes.gauge.diameter=0.08")) + 0.02));
+    CHECK(with("probes.gauge.centre.1=0.12").probes.size() == 3);
+    CHECK(with("tank.size.1=0.48").tank.high == Vec2(1.0, 0.48));
+    const auto [override_, message] = GENERATE(table<const char*, const char*>(
+        {{"probes.gage.diameter=0.1", "no entry 'gage', expected the name of one"},
+         {"probes.1.diameter=0.1", "no entry '1', expected the name of one"},
+         {"probes.gauge.centre.2=0.1", "no entry '2', expected a number from 0 to 1"},
+         {"probes.gauge.centre.y=0.1", "no entry 'y', expected a number from 0 to 1"},
+         {"tank.size.-1=0.1", "no entry '-1'"},
+         {"tank.size.99999999999999999999=0.1", "no entry"},
+         {"probes.gauge.size=0.1", "size"},
+         {"probes.gauge.centre.1=high", "centre"}}));
+    CHECK_THROWS_WITH(with(override_), Catch::Contains(message));
+}
