@@ -20,7 +20,7 @@ bool not_measured(const ScatterPoint& point) {
 }
 
 bool drawable(const ScatterPoint& point) {
-    return (point.counted || not_measured(point)) && point.expected > 0 && point.predicted > 0;
+    return (point.counted || not_measured(point)) && point.predicted / point.expected > 0;
 }
 
 const ClassStatistics* statistics_of(const Summary& summary, const std::string& name) {
@@ -55,12 +55,13 @@ Figure scatter_figure(const Points& points, const ClassStatistics* statistics) {
     Figure figure;
     figure.name = "suite-scatter-" + first.quantity_class;
     figure.title = "Predicted against measured: " + first.quantity_class;
-    figure.x = {"measured", first.unit, true, {}};
-    figure.y = {"predicted", first.unit, true, {}};
+    figure.x = {"measured, magnitude", first.unit, true, {}};
+    figure.y = {"predicted, magnitude", first.unit, true, {}};
     Window range{HUGE_VAL, 0};
     for (const ScatterPoint* p : points) {
-        range.begin = std::min({range.begin, p->expected / 1.5, p->predicted / 1.5});
-        range.end = std::max({range.end, p->expected * 1.5, p->predicted * 1.5});
+        const double expected = std::abs(p->expected), predicted = std::abs(p->predicted);
+        range.begin = std::min({range.begin, expected / 1.5, predicted / 1.5});
+        range.end = std::max({range.end, expected * 1.5, predicted * 1.5});
     }
     figure.x.range = figure.y.range = range;
     add_ray(figure, range, 1, statistics != nullptr ? statistics->sigma_data : std::nullopt,
@@ -78,8 +79,8 @@ Figure scatter_figure(const Points& points, const ClassStatistics* statistics) {
     std::map<std::pair<std::string, bool>, PlotSeries> groups;
     for (const ScatterPoint* p : points) {
         PlotSeries& s = groups[{p->scene, p->counted}];
-        s.data.x.push_back(p->expected);
-        s.data.y.push_back(p->predicted);
+        s.data.x.push_back(std::abs(p->expected));
+        s.data.y.push_back(std::abs(p->predicted));
     }
     std::map<std::string, std::size_t> scenes;
     for (auto& [key, s] : groups) {

@@ -248,6 +248,11 @@ TEST_CASE("Only the finest sound run of the default variant counts, in SI units"
     CHECK(summary.statistics.at(0).bias.value() == Approx(1.103));
 }
 
+TEST_CASE("Two negative values count by their ratio", "[statistics]") {
+    const auto points = std::vector{pair(-2, -2.2, {})};
+    CHECK(class_statistics(points).at(0).bias.value() == Approx(1.1));
+}
+
 TEST_CASE("A pair that cannot count is dropped with the reason", "[statistics]") {
     AnalysisSpec spec = scene();
     const auto dropped = [&] { return analysed(spec, sweep()).scatter.at(0).dropped; };
@@ -257,7 +262,7 @@ TEST_CASE("A pair that cannot count is dropped with the reason", "[statistics]")
     CHECK(dropped() == "the scene does not say what kind the expected value is");
     spec.quantities[0].expected_kind = ReferenceKind::experiment;
     spec.quantities[0].expected = -1;
-    CHECK(dropped() == "not positive: no logarithm");
+    CHECK(dropped() == "of another sign, or zero: no logarithm of the ratio");
 }
 
 TEST_CASE("The cheapest run within 5 and 10 percent is found, and the best", "[speed_error]") {
