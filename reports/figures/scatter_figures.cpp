@@ -20,7 +20,7 @@ bool not_measured(const ScatterPoint& point) {
 }
 
 bool drawable(const ScatterPoint& point) {
-    return (point.counted || not_measured(point)) && point.predicted / point.expected > 0;
+    return (point.counted || not_measured(point)) && point.predicted * point.expected > 0;
 }
 
 const ClassStatistics* statistics_of(const Summary& summary, const std::string& name) {

@@ -28,13 +28,14 @@ JudgedValue value_of(const QuantitySpec* spec, const QuantityResult& q) {
     return value;
 }
 
-/// Its series or, where the scene compares that with the reference more than once, its title: rows of one
-/// name would take each other's values.
-const std::string& distinct_name(const AnalysisSpec& scene, const ComparisonResult& c) {
+/// Its series and reference or, where the scene compares these more than once, its title: rows of one name
+/// would take each other's values.
+std::string name_of(const AnalysisSpec& scene, const ComparisonResult& c, std::string_view feature) {
     const auto alike = std::count_if(
         scene.comparisons.begin(), scene.comparisons.end(),
         [&](const ComparisonSpec& s) { return s.quantity == c.quantity && s.reference == c.reference; });
-    return alike > 1 ? c.title : c.quantity;
+    return alike > 1 ? fmt::format("{}: {}", c.title, feature)
+                     : fmt::format("{}: {} against {}", c.quantity, feature, c.reference);
 }
 
 /// Of the reference's mean over the window, for the uncertainty along its abscissa.
@@ -56,7 +57,7 @@ std::optional<double> required_accuracy(const AnalysisSpec& scene, const std::st
 JudgedValue value_of(const AnalysisSpec& scene, const ComparisonResult& c) {
     const std::string_view feature = judged_feature(c);
     const bool peaked = feature == "peak";
-    JudgedValue value{fmt::format("{}: {} against {}", distinct_name(scene, c), feature, c.reference),
+    JudgedValue value{name_of(scene, c, feature),
                       "-",
                       c.title,
                       c.kind,

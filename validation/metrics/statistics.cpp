@@ -111,7 +111,7 @@ std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSum
 std::string reason_to_drop(const ScatterPoint& point) {
     if (!point.kind) return "the scene does not say what kind the expected value is";
     if (!describe(*point.kind).validates) return describe(*point.kind).not_counted;
-    if (!(point.predicted / point.expected > 0)) return "of another sign, or zero: no logarithm of the ratio";
+    if (!(point.predicted * point.expected > 0)) return "of another sign, or zero: no logarithm of the ratio";
     return "";
 }
 

@@ -164,8 +164,8 @@ TEST_CASE("A curve compared with one reference in two windows has two rows with 
     }
     const std::vector<ValidationRow> rows = validation_rows(spec, runs, {{}, {}});
     REQUIRE(rows.size() == 2);
-    CHECK(rows[0].quantity == "early: mean against gauge");
-    CHECK(rows[1].quantity == "late: mean against gauge");
+    CHECK(rows[0].quantity == "early: mean");
+    CHECK(rows[1].quantity == "late: mean");
     CHECK(rows[1].u_num.value() == Approx(10 * rows[0].u_num.value()));
 }
 
@@ -262,6 +262,8 @@ TEST_CASE("A pair that cannot count is dropped with the reason", "[statistics]")
     CHECK(dropped() == "the scene does not say what kind the expected value is");
     spec.quantities[0].expected_kind = ReferenceKind::experiment;
     spec.quantities[0].expected = -1;
+    CHECK(dropped() == "of another sign, or zero: no logarithm of the ratio");
+    spec.quantities[0].expected = 0;
     CHECK(dropped() == "of another sign, or zero: no logarithm of the ratio");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One description of a figure, three renderings.
 #include "reports/page/figure.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -218,4 +219,24 @@ TEST_CASE("A failure of gnuplot is reported in its own words and leaves nothing 
     figure.series[0].colour = "no such colour";
     CHECK_THROWS_WITH(write_svg(figure, scratch / "a.svg"), Catch::Contains("a.svg: gnuplot failed"));
     CHECK(samples::names_in(scratch).empty());
+}
+
+TEST_CASE("Predicted over measured values are drawn by their magnitudes, and not where one is zero",
+          "[report]") {
+    Summary summary;
+    ScatterPoint falling, turning;
+    falling.quantity_class = turning.quantity_class = "velocity";
+    falling.counted = true;
+    falling.expected = -5;
+    falling.predicted = -4.5;
+    turning.kind = ReferenceKind::stated;
+    turning.expected = 0;
+    turning.predicted = 0.1;
+    summary.scatter = {falling, turning};
+    const std::vector<Figure> figures = scatter_figures(summary);
+    REQUIRE(figures.size() == 1);
+    CHECK(figures[0].x.range->begin == Approx(3));
+    CHECK(figures[0].x.range->end == Approx(7.5));
+    CHECK(figures[0].series.back().data.x == std::vector<double>{5});
+    CHECK(figures[0].series.back().data.y == std::vector<double>{4.5});
 }
