@@ -32,6 +32,7 @@ TEST_CASE("a short good run ends with exit code 0 and a whole store", "[faults]"
     REQUIRE(outcome.code == 0);
     REQUIRE(outcome.err.empty());
     REQUIRE_THAT(outcome.out, Contains("dam_break single-phase dx 0.04: ok\n") && Contains("results in "));
+    REQUIRE_THAT(outcome.out, Contains("arrival_time ") && Contains("\nnext: wetdeck report "));
     const RunRecord record = read_run(folder / "run/run.h5");
     REQUIRE(record.status == RunStatus::ok);
     REQUIRE(record.fluid_particles == 30 * 15);
