@@ -217,12 +217,14 @@ std::string tiers(const SceneParts& p) {
 }
 
 std::string variants(const SceneParts& p) {
-    return fmt::format(
-        "[variants.{}]\ndescription = {}\n\n"
-        "# Each run finds when the keel meets the level.\n"
-        "[time_origins]\ncontact = \"geometric_contact\"\n\n"
-        "[scales]\nmillisecond = 0.001\n\n",
-        p.variant(), p.wishes.air ? "\"water and air\"" : "\"water alone\"");
+    const std::string late = p.section.flat && p.wishes.air
+                                 ? " Under a flat bottom the air is pressed out late: what it does before "
+                                   "contact has negative times."
+                                 : "";
+    return fmt::format("[variants.{}]\ndescription = {}\n\n", p.variant(),
+                       p.wishes.air ? "\"water and air\"" : "\"water alone\"") +
+           comment("Each run finds when the keel meets the level." + late) +
+           "[time_origins]\ncontact = \"geometric_contact\"\n\n[scales]\nmillisecond = 0.001\n\n";
 }
 
 }  // namespace
