@@ -120,12 +120,14 @@ std::vector<SurfacePoint> spaced_points(const std::vector<Vec2>& ring, double pa
 /// What is lost where the body is shrunk by half of `width` and grown back: its parts that are thinner.
 /// Less than a tenth of the width squared does not count: rounding leaves it at corners. It is grown by a
 /// thousandth of the width more: the difference of outlines that all but coincide may be the whole body
-/// (Boost.Geometry 1.74, three of a thousand wedges).
+/// (Boost.Geometry 1.74, three of a thousand wedges). A body that vanishes is thin, however small it is.
 MultiPolygon parts_thinner_than(const Polygon& polygon, double width) {
     constexpr double least_area = 0.1;
     const double depth = 0.5 * width * (1 - 1e-3);
+    const MultiPolygon shrunk = offset(polygon, -depth);
+    if (shrunk.empty()) return {polygon};
     MultiPolygon lost, parts;
-    bg::difference(polygon, offset(offset(polygon, -depth), depth + 1e-3 * width), lost);
+    bg::difference(polygon, offset(shrunk, depth + 1e-3 * width), lost);
     std::copy_if(lost.begin(), lost.end(), std::back_inserter(parts),
                  [&](const Polygon& part) { return bg::area(part) >= least_area * width * width; });
     return parts;

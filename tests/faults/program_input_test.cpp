@@ -152,6 +152,9 @@ TEST_CASE("check tells an outline from a reference curve", "[faults]") {
 TEST_CASE("the program refuses unknown commands, options and values", "[faults]") {
     expect_refusal({"dance"}, "no command 'dance'; see wetdeck --help");
     expect_refusal({"suit", "--tier", "quick"}, "no command 'suit'; did you mean 'suite'?");
+    expect_refusal({"tset"}, "no command 'tset'; did you mean './wetdeck test'?");
+    expect_refusal({"docs"},
+                   "no command 'docs'; it is one of the script ./wetdeck at the root of the sources");
     expect_refusal({"run", "dam_break", "--colour"}, "--colour; see wetdeck --help");
     expect_refusal({"run"}, "scene is required; see wetdeck --help");
     expect_refusal({"run", "dam_break", "--dx", "small"}, "--dx = small");

@@ -32,6 +32,7 @@ TEST_CASE("a short good run ends with exit code 0 and a whole store", "[faults]"
     REQUIRE(outcome.code == 0);
     REQUIRE(outcome.err.empty());
     REQUIRE_THAT(outcome.out, Contains("dam_break single-phase dx 0.04: ok\n") && Contains("results in "));
+    REQUIRE_THAT(outcome.out, Contains("arrival_time ") && Contains("\nnext: wetdeck report "));
     const RunRecord record = read_run(folder / "run/run.h5");
     REQUIRE(record.status == RunStatus::ok);
     REQUIRE(record.fluid_particles == 30 * 15);
@@ -148,4 +149,21 @@ TEST_CASE("a full disk ends a run with exit code 4, a clear line, and no run tha
         REQUIRE_THAT(outcome.err, Contains("disk full"));
         REQUIRE_FALSE(std::filesystem::exists(disk.path() / "run/run.h5"));
     }
+}
+
+TEST_CASE("a scene that new writes runs to its end and reaches its quantities", "[faults]") {
+    const ScratchFolder folder;
+    samples::put_bytes(folder / "hull.csv", "0, 0\n0.25, 0.25\n0.25, 0.35\n-0.25, 0.35\n-0.25, 0.25\n");
+    const std::string scene = folder / "mine.toml";
+    REQUIRE(run_program({"new", folder / "hull.csv", "--speed", "3", "--mass", "60", "--record", "0.03",
+                         "--out", scene})
+                .code == 0);
+    const Outcome outcome = run_program({"run", scene, "--dx", "0.02", "--out", folder / "run"});
+    INFO(outcome.out << outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.err.find("doubt") == std::string::npos);
+    for (const char* quantity : {"force_peak ", "force_peak_time ", "deceleration_peak ", "velocity_at_end ",
+                                 "pressure_bottom_peak "})
+        CHECK_THAT(outcome.out, Contains(quantity));
+    CHECK_THAT(outcome.out, !Contains("spans") && !Contains("not reached"));
 }

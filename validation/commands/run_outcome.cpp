@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "validation/commands/quantity_lines.hpp"
 #include "validation/metrics/flow_flags.hpp"
 #include "validation/metrics/time_origin.hpp"
 #include "validation/run/exit_code.hpp"
@@ -49,6 +50,13 @@ void print_text(const RunRecord& record, const fs::path& directory, const Verbos
     fmt::print("  results in {}\n", directory.string());
 }
 
+/// What the scene asks of the run, and the command that shows it.
+void print_results(const Scene& scene, const RunRecord& record, const fs::path& directory) {
+    ReferenceShelf shelf(reference_directory() / scene.name(), scene.analysis.folder);
+    for (const std::string& line : quantity_lines(scene.analysis, record, shelf)) fmt::print("{}\n", line);
+    fmt::print("next: wetdeck report {0}   (curves and pictures, in {0}/index.html)\n", directory.string());
+}
+
 }  // namespace
 
 int print_outcome(const RunRecord& record, const fs::path& directory, const Verbosity& verbosity) {
@@ -68,6 +76,7 @@ int run_and_print(const Scene& scene, RunOptions run, const Resources& resources
                       verbosity.quiet);
     const RunRecord record = run_scene(scene, run, progress);
     const int exit_code = print_outcome(record, run.directory, verbosity);
+    if (!verbosity.json && !verbosity.quiet) print_results(scene, record, run.directory);
     std::fflush(stdout);
     for (const std::string& doubt : doubtful_origins(scene.analysis, record))
         fmt::print(stderr, "doubt: {}\n", doubt);

@@ -32,8 +32,9 @@ std::unique_ptr<CLI::App> command_line(int& exit_code) {
         "continue (`wetdeck resume RUN_DIR`, or the same command again). A second signal ends the program\n"
         "at once; then, as after kill -9 or a power failure, a run continues from its last periodic\n"
         "checkpoint.\n"
-        "The script ./wetdeck at the root of the sources has two more commands: `./wetdeck test` builds and\n"
-        "runs all tests, `./wetdeck docs` makes the API pages.");
+        "\nCommands of the script ./wetdeck at the root of the sources:\n"
+        "  test                        build and run all tests\n"
+        "  docs                        make the API pages");
     app->callback([program = app.get()] {
         if (program->get_subcommands().empty()) fmt::print("{}", program->help());
     });
@@ -44,15 +45,29 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
     return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
+const std::vector<std::string> commands_of_script = {"test", "docs"};
+
+bool is_of_script(const std::string& name) {
+    return std::count(commands_of_script.begin(), commands_of_script.end(), name) > 0;
+}
+
+std::string advice(const std::string& word, const CLI::App& app) {
+    if (is_of_script(word))
+        return fmt::format("it is one of the script ./wetdeck at the root of the sources: ./wetdeck {}",
+                           word);
+    std::vector<std::string> names;
+    for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+    names.insert(names.end(), commands_of_script.begin(), commands_of_script.end());
+    const std::string nearest = nearest_name(word, names);
+    if (nearest.empty()) return "see wetdeck --help";
+    return fmt::format("did you mean '{}{}'?", is_of_script(nearest) ? "./wetdeck " : "", nearest);
+}
+
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<std::string> unknown = app.remaining();
     const bool misspelt = app.get_subcommands().empty() && !unknown.empty() && unknown.front().front() != '-';
     if (!misspelt) return fmt::format("{}; see wetdeck --help", error.what());
-    std::vector<std::string> names;
-    for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
-    const std::string nearest = nearest_name(unknown.front(), names);
-    return fmt::format("no command '{}'; {}", unknown.front(),
-                       nearest.empty() ? "see wetdeck --help" : fmt::format("did you mean '{}'?", nearest));
+    return fmt::format("no command '{}'; {}", unknown.front(), advice(unknown.front(), app));
 }
 
 /// The choices of a type name such as "NAME:{local,slurm}".

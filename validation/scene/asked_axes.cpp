@@ -9,6 +9,7 @@
 
 #include "validation/metrics/resample.hpp"
 #include "validation/metrics/units.hpp"
+#include "validation/scene/expected_motion.hpp"
 
 namespace wetdeck {
 namespace {
@@ -42,26 +43,44 @@ std::optional<double> last_instant(const SeriesScaling& scaling) {
     return *scaling.instant + scaling.interval;
 }
 
-std::optional<std::string> unreached(const Asked& asked, double end_time) {
-    const double end = (1 + 1e-9) * end_time;
+/// Where the abscissa is zero on the clock of the run: as stated, or the contact that the motion of the body
+/// lets expect; none for another event.
+std::optional<double> expected_origin(const Scene& scene, const SeriesScaling& scaling) {
+    if (!scaling.event) return scaling.x_offset;
+    for (const BodySpec& spec : scene.bodies) {
+        const bool contact = scaling.event->meaning == "geometric contact of " + spec.name ||
+                             scaling.event->meaning == "first wet contact of " + spec.name;
+        const std::optional<WaterEntry> entry = contact ? water_entry(scene, spec) : std::nullopt;
+        if (entry) return entry->time;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> unreached(const Asked& asked, const Scene& scene) {
+    const double end_time = scene.end_time, end = (1 + 1e-9) * end_time;
     const SeriesScaling& scaling = asked.scaling;
     if (const double last = last_instant(scaling).value_or(0); last > end)
         return fmt::format("{} is taken {} {:.6g} s, after the end of the run at {:.6g} s", asked.name,
                            scaling.interval > 0 ? "up to" : "at the instant", last, end_time);
-    if (asked.units.x.series != "s" || asked.scaling.event) return std::nullopt;
-    const auto on_clock = [&](double x) { return asked.scaling.x_offset + x * asked.scaling.x_scale; };
+    const std::optional<double> origin = expected_origin(scene, scaling);
+    if (asked.units.x.series != "s" || !origin) return std::nullopt;
+    const std::string about = scaling.event ? "about " : "";
+    if (*origin > end)
+        return fmt::format("{} counts from {}, at {}{:.6g} s, after the end of the run at {:.6g} s",
+                           asked.name, scaling.origin, about, *origin, end_time);
+    const auto on_clock = [&](double x) { return *origin + x * scaling.x_scale; };
     if (asked.abscissa && on_clock(*asked.abscissa) > end)
-        return fmt::format("{} is taken at {:.6g} s, after the end of the run at {:.6g} s", asked.name,
-                           on_clock(*asked.abscissa), end_time);
+        return fmt::format("{} is taken at {}{:.6g} s, after the end of the run at {:.6g} s", asked.name,
+                           about, on_clock(*asked.abscissa), end_time);
     if (!asked.window) return std::nullopt;
     const double from = on_clock(asked.window->begin), to = on_clock(asked.window->end);
     if (asked.whole_window && from < -(1 - required_coverage) * (to - from))
-        return fmt::format("{} has the window {:.6g} to {:.6g} s, before the start of the run", asked.name,
-                           from, to);
+        return fmt::format("{} has the window {}{:.6g} to {:.6g} s, before the start of the run", asked.name,
+                           about, from, to);
     const double reached = (end - from) / (to - from);
     if (reached > (asked.whole_window ? required_coverage : 0)) return std::nullopt;
-    return fmt::format("{} has the window {:.6g} to {:.6g} s, {} the end of the run at {:.6g} s", asked.name,
-                       from, to, reached > 0 ? "beyond" : "after", end_time);
+    return fmt::format("{} has the window {}{:.6g} to {:.6g} s, {} the end of the run at {:.6g} s",
+                       asked.name, about, from, to, reached > 0 ? "beyond" : "after", end_time);
 }
 
 /// Where a scale with a unit leaves a unit that has no name, such as 1/m^2 of pressures over forces.
@@ -78,7 +97,7 @@ std::optional<std::string> nameless_quotient(const std::string& name, const Axis
 std::vector<std::string> unreached_times(const Scene& scene) {
     std::vector<std::string> found;
     for (const Asked& asked : all_asked(scene.analysis))
-        if (auto text = unreached(asked, scene.end_time)) found.push_back(std::move(*text));
+        if (auto text = unreached(asked, scene)) found.push_back(std::move(*text));
     return found;
 }
 

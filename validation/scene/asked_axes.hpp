@@ -11,8 +11,9 @@
 namespace wetdeck {
 
 /// One line for each quantity and comparison of the variant whose window, threshold or instant lies after
-/// the end of the run, wholly, or by more than a metric of the whole window bears. Times that count from an
-/// event are not known before the run and pass.
+/// the end of the run, wholly, or by more than a metric of the whole window bears, or that counts from an
+/// instant after it. A contact is expected where the motion of the body leads to the water; times that count
+/// from another event are not known before the run and pass.
 std::vector<std::string> unreached_times(const Scene& scene);
 
 /// The last time that a quantity or comparison of the variant asks for.

@@ -9,6 +9,7 @@
 
 #include "validation/analytic/wagner.hpp"
 #include "validation/scene/asked_axes.hpp"
+#include "validation/scene/bottom.hpp"
 #include "validation/scene/expected_motion.hpp"
 #include "validation/scene/faces.hpp"
 
@@ -16,38 +17,6 @@ namespace wetdeck {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double flattest = 4 * degree, steepest = 85 * degree;
-
-/// A side that faces down.
-struct BottomSide {
-    double deadrise;       ///< [rad]
-    double share_of_beam;  ///< of its horizontal length
-};
-
-std::vector<BottomSide> bottom_sides(const Outline& outline) {
-    const Box extent = extent_of(outline);
-    const double beam = extent.high.x() - extent.low.x(), onwards = counter_clockwise(outline) ? 1 : -1;
-    std::vector<BottomSide> sides;
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Vec2 side = outline[(k + 1) % outline.size()] - outline[k];
-        const double width = std::abs(side.x());
-        const bool faces_down = onwards * side.x() > 0;
-        if (faces_down) sides.push_back({std::atan2(std::abs(side.y()), width), width / beam});
-    }
-    return sides;
-}
-
-constexpr double least_share_of_beam = 0.05;
-
-std::optional<double> flattest_slope(const Outline& outline) {
-    std::optional<double> least;
-    for (const BottomSide& side : bottom_sides(outline)) {
-        const bool counts = side.share_of_beam >= least_share_of_beam && side.deadrise < steepest;
-        if (counts && side.deadrise >= flattest) least = std::min(least.value_or(steepest), side.deadrise);
-    }
-    return least;
-}
-
 /// Where sound comes back from, and when.
 struct Echo {
     const char* from;
@@ -101,7 +70,7 @@ std::optional<FastestContactLine> fastest_contact_line(const Scene& scene) {
     std::optional<FastestContactLine> fastest;
     for (const BodySpec& spec : scene.bodies) {
         const std::optional<WaterEntry> entry = water_entry(scene, spec);
-        const std::optional<double> deadrise = flattest_slope(spec.outline);
+        const std::optional<double> deadrise = flattest_deadrise(spec.outline);
         if (!entry || !deadrise) continue;
         const double speed = entry->speed * wagner_contact_line_speed(*deadrise);
         if (!fastest || speed > fastest->speed) fastest = {spec.name, entry->speed, *deadrise, speed};
@@ -130,13 +99,9 @@ std::vector<std::string> doubtful_impacts(const Scene& scene) {
 std::vector<std::string> impact_remarks(const Scene& scene) {
     std::vector<std::string> all;
     for (const BodySpec& spec : scene.bodies) {
-        const std::vector<BottomSide> sides = bottom_sides(spec.outline);
-        const bool flat = std::any_of(sides.begin(), sides.end(), [](const BottomSide& side) {
-            return side.deadrise < flattest && side.share_of_beam >= least_share_of_beam;
-        });
         const std::optional<WaterEntry> entry = water_entry(scene, spec);
         const TaitEquationOfState& eos = scene.model.water.eos;
-        if (flat && entry)
+        if (entry && has_flat_bottom(spec.outline))
             all.push_back(
                 fmt::format("{} has a flat bottom: its first pressure without air, rho c V = {:.3g} kPa, is "
                             "in proportion "

@@ -52,8 +52,8 @@ TEST_CASE("Every command and every option has a description, and a command's nam
         }
         CHECK(options.count("-h, --help") == 1);
     }
-    const Words promised = {"suite", "run",    "resume",   "verify", "stress",   "ablate",
-                            "bench", "report", "baseline", "list",   "describe", "check"};
+    const Words promised = {"suite",  "run",      "resume", "verify",   "stress", "ablate", "bench",
+                            "report", "baseline", "list",   "describe", "check",  "new"};
     for (const std::string& name : promised) CHECK(names.count(name) == 1);
 }
 
@@ -102,15 +102,21 @@ TEST_CASE("Completion knows a value by its name in the help", "[program]") {
 }
 
 TEST_CASE("A misspelt word leads to the nearest name, a different word to none", "[program]") {
-    const Words names = {"suite", "run", "resume", "report", "stress"};
-    CHECK(nearest_name("suit", names) == "suite");
-    CHECK(nearest_name("siute", names) == "suite");
-    CHECK(nearest_name("rnu", names) == "run");
-    CHECK(nearest_name("repotr", names) == "report");
-    CHECK(nearest_name("reprot", names) == "report");
-    CHECK(nearest_name("resumed", names) == "resume");
-    CHECK(nearest_name("dance", names).empty());
-    CHECK(nearest_name("", names).empty());
+    Words names;
+    for (const CommandInfo& command : command_list()) names.push_back(command.name);
+    const std::map<std::string, std::string> misspelt = {
+        {"suit", "suite"},        {"siute", "suite"},      {"rnu", "run"},          {"repotr", "report"},
+        {"reprot", "report"},     {"resumed", "resume"},   {"chek", "check"},       {"lsit", "list"},
+        {"decsribe", "describe"}, {"verfiy", "verify"},    {"strss", "stress"},     {"benhc", "bench"},
+        {"ablte", "ablate"},      {"basline", "baseline"}, {"discribe", "describe"}};
+    for (const auto& [word, expected] : misspelt) {
+        CAPTURE(word);
+        CHECK(nearest_name(word, names) == expected);
+    }
+    for (const std::string word : {"dance", "", "plot", "visualise"}) {
+        CAPTURE(word);
+        CHECK(nearest_name(word, names).empty());
+    }
     CHECK(nearest_name("run", {}).empty());
 }
 

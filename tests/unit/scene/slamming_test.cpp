@@ -120,6 +120,46 @@ TEST_CASE("a sound speed below twelve times the contact line's is doubted, with 
     CHECK_THAT(notes[0], Contains("accepted: the source has it"));
 }
 
+TEST_CASE("a contact, or a window counted from one, that lies after the end of the run is doubted") {
+    const std::string from_contact = wedge_scene + "x_origin = \"contact\"\n\n[time_origins]\ncontact = ";
+    const auto doubts = [&](const std::string& contact, const std::string& window,
+                            const std::vector<std::string>& overrides) {
+        std::string text = from_contact + contact + "\n";
+        const std::string old = "window = [0.0, 0.0125]";
+        text.replace(text.find(old), old.size(), window);
+        return unreached_times(parse_scene(text, "drop.toml", std::nullopt, overrides));
+    };
+    struct Row {
+        std::string contact, window;
+        std::vector<std::string> overrides;
+        std::string expected;  ///< empty: no doubt
+    };
+    const std::string found = "\"geometric_contact\"";  // at 2.5 ms of 12.5 ms
+    const std::vector<Row> rows = {
+        {found, "", {}, ""},
+        {found, "window = [0.0, 0.01]", {}, ""},
+        {found, "window = [0.0, 0.02]", {}, "has the window about 0.0025 to 0.0225 s, beyond the end"},
+        {found, "window = [0.011, 0.02]", {}, "has the window about 0.0135 to 0.0225 s, after the end"},
+        {found,
+         "",
+         {"run.end_time=0.002"},
+         "counts from contact, at about 0.0025 s, after the end of the run"},
+        {found, "", {"body.velocity_y=-0.3"}, "counts from contact, at about 0.0166667 s, after the end"},
+        {found, "", {"body.position=[1.0, 0.9]"}, "counts from contact, at about 0.05 s, after the end"},
+        {found, "", {"body.velocity_y=0.0"}, ""},  // never: no time to name
+        {"0.0025", "", {}, ""},
+        {"0.0025", "window = [0.011, 0.02]", {}, "has the window 0.0135 to 0.0225 s, after the end"},
+        {"0.03", "", {}, "counts from contact, at 0.03 s, after the end of the run at 0.0125 s"},
+        {"\"first_contact\"", "", {"run.end_time=0.002"}, "counts from contact, at about 0.0025 s"},
+    };
+    for (const Row& row : rows) {
+        CAPTURE(row.contact, row.window, row.overrides);
+        const auto all = doubts(row.contact, row.window, row.overrides);
+        REQUIRE(all.size() == (row.expected.empty() ? 0 : 1));
+        if (!all.empty()) CHECK_THAT(all[0], Contains(row.expected));
+    }
+}
+
 TEST_CASE("a force that is asked for after the echo of floor or sides is doubted") {
     struct Row {
         std::vector<std::string> overrides;

@@ -124,6 +124,10 @@ TEST_CASE("A body thinner than the support is refused at that spacing and taken 
     CHECK_THROWS_WITH(particles_of(hull, 0.005),
                       Catch::Contains("thinner") && Catch::Contains("a particle spacing of at most 0.004 m"));
     CHECK_NOTHROW(particles_of(hull, 0.004));
+    // a sheet of 1 mm whose area is less than a tenth of the support squared
+    const Outline sheet = {{0, 0}, {1, 0}, {1, 0.001}, {0, 0.001}};
+    for (const double spacing : {0.04, 0.02, 0.005})
+        CHECK_THROWS_WITH(particles_of(sheet, spacing), Catch::Contains("thinner"));
 }
 
 TEST_CASE("A wide wedge is never taken for a thin one", "[outline]") {
