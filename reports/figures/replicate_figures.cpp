@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "reports/figures/figures.hpp"
 #include "reports/page/html.hpp"
@@ -14,8 +15,9 @@ namespace {
 
 constexpr std::size_t most_figures = 4;
 
+/// Over the reference: a mean may be next to nothing.
 double relative_deviation(const ReplicateRow& row) {
-    return row.mean == 0 ? 0 : row.deviation / std::abs(row.mean);
+    return *row.reference == 0 ? 0 : row.deviation / std::abs(*row.reference);
 }
 
 /// The share of the values up to each, as steps.
@@ -76,8 +78,11 @@ std::vector<Figure> replicate_figures(const Summary& summary, const AnalysisSpec
         return relative_deviation(*a.front()) > relative_deviation(*b.front());
     });
     std::vector<Figure> figures;
-    for (std::size_t k = 0; k < std::min(most_figures, sorted.size()); ++k)
-        figures.push_back(distribution_figure(sorted[k]));
+    std::set<std::vector<double>> drawn;  // one value may be compared with several references
+    for (const auto& rows : sorted) {
+        if (figures.size() == most_figures) break;
+        if (drawn.insert(rows.front()->value).second) figures.push_back(distribution_figure(rows));
+    }
     return figures;
 }
 
