@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <random>
 
+#include "solver/core/dice.hpp"
 #include "solver/core/errors.hpp"
 
 namespace wetdeck {
@@ -14,16 +14,11 @@ constexpr double largest_displacement = 0.07;  ///< along each axis, in spacings
 constexpr int cycles = 4;
 constexpr double cycle_length = 50;  ///< spacings that sound of the slower fluid travels
 
-/// In [-1, 1), the same on every machine.
-double symmetric(std::mt19937_64& engine) {
-    return 2 * static_cast<double>(engine() >> 11) * 0x1p-53 - 1;
-}
-
 void displace(FluidParticles& fluid, double largest, std::uint64_t seed) {
-    std::mt19937_64 engine(seed);
+    Dice dice(seed);
     for (FluidState& p : fluid.state) {
-        p.x += largest * symmetric(engine);
-        p.y += largest * symmetric(engine);
+        p.x += dice.symmetric(largest);
+        p.y += dice.symmetric(largest);
     }
 }
 

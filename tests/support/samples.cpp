@@ -13,8 +13,6 @@
 namespace wetdeck::samples {
 namespace {
 
-using verification::Dice;
-
 void shake(Setup& setup, Dice& dice) {
     for (std::size_t i = 0; i < setup.fluid.size(); ++i) {
         FluidState& p = setup.fluid.state[i];

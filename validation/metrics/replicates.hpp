@@ -10,9 +10,6 @@
 
 namespace wetdeck {
 
-/// The key whose value tells replicates from each other.
-inline constexpr const char* replicate_key = "initial.arrangement";
-
 /// Mean, standard deviation and the 95 % confidence interval of the mean, mean +- t s/sqrt(n) with Student's
 /// t (GSL). Throws std::invalid_argument for fewer than two values. The caller fills in the rest.
 ReplicateRow spread_of(std::vector<double> values);

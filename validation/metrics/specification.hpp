@@ -125,6 +125,9 @@ struct SensitivitySpec {
     std::vector<std::string> low_with, high_with;  ///< KEY=VALUE that must change with the key
 };
 
+/// The key that tells replicates from each other: the seed of an arrangement of the particles, 0 the lattice.
+inline constexpr const char* arrangement_key = "initial.arrangement";
+
 /// The key that the study of the sound speed varies, and its shares of the variant's own.
 inline constexpr const char* sound_speed_key = "water.sound_speed";
 inline constexpr double sound_speed_shares[] = {0.5, 2.0};

@@ -42,9 +42,6 @@ struct InitialPressure {
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
-/// The key of the seed of a disturbed arrangement of the particles; 0: the lattice.
-inline constexpr const char* arrangement_key = "initial.arrangement";
-
 /// Reasons why a scene lives with a doubt that `check` would raise; empty: it does not.
 struct AcceptedDoubts {
     std::string sound_speed;  ///< of the water, too low for slamming

@@ -139,7 +139,7 @@ Setting disorder(double share, std::string beyond = {}) {
     const auto build = [share](const Scheme& scheme) {
         const Trial even = trial_of(dam_break(), scheme);
         const Simulation& s = even.simulation;
-        verification::Dice dice(1);
+        Dice dice(1);
         const double size = share * s.particle_spacing();
         FluidParticles fluid = s.fluid();
         for (FluidState& p : fluid.state) {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 
+#include "solver/core/dice.hpp"
 #include "solver/setup/body_outline.hpp"
 #include "solver/simulation.hpp"
 
@@ -38,17 +38,6 @@ struct Setup : SimulationSetup {
     /// its mass centre.
     void put(const RigidBody& body, const Outline& outline);
     Simulation simulate() const { return Simulation(*this); }
-};
-
-/// Uniform numbers that are the same everywhere.
-class Dice {
-  public:
-    explicit Dice(std::uint64_t seed) : engine_(seed) {}
-    /// In [-size, size).
-    double symmetric(double size) { return size * (2 * static_cast<double>(engine_() >> 11) * 0x1p-53 - 1); }
-
-  private:
-    std::mt19937_64 engine_;
 };
 
 /// Moves every particle by up to `share` spacings along each axis.

@@ -49,7 +49,7 @@ RunSummary run(double dx, double value, const std::string& variant = "a") {
 std::vector<SensitivityRun> replicates(const std::vector<double>& values, const std::string& variant = "a") {
     std::vector<SensitivityRun> runs;
     double seed = 0;
-    for (const double value : values) runs.push_back({replicate_key, ++seed, run(0.04, value, variant)});
+    for (const double value : values) runs.push_back({arrangement_key, ++seed, run(0.04, value, variant)});
     return runs;
 }
 

@@ -206,7 +206,7 @@ TEST_CASE("Water that bears no negative pressure reads none", "[probe]") {
 
 TEST_CASE("A few particles of any pressure never make a peak", "[probe]") {
     constexpr double spacing = 0.02;
-    verification::Dice dice(3);
+    Dice dice(3);
     for (int trial = 0; trial < 400; ++trial) {
         Setup setup(still_model(), tank, spacing, true);
         setup.model.gravity = Vec2::Zero();
@@ -231,7 +231,7 @@ TEST_CASE("Disordered pressures scatter a reading no more than a plain kernel me
     Setup setup = full_tank(spacing);
     setup.model.gravity = Vec2::Zero();
     verification::shake(setup, 0.2, 5);
-    verification::Dice dice(11);
+    Dice dice(11);
     set_initial_pressure(setup.fluid, setup.model, [&](Phase, Vec2) { return dice.symmetric(size); });
     const Simulation simulation = setup.simulate();
     double squares = 0, squares_of_mean = 0;
