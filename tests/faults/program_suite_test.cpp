@@ -6,6 +6,7 @@
 
 #include "tests/faults/program_support.hpp"
 #include "validation/store/checkpoint.hpp"
+#include "validation/store/fields.hpp"
 #include "validation/store/run_store.hpp"
 
 using namespace wetdeck;
@@ -191,6 +192,8 @@ TEST_CASE("a suite runs other arrangements of the particles, and its report tell
         CHECK(row["low95"] < row["mean"]);
         CHECK(row["mean"] < row["high95"]);
     }
+    CHECK(list_frames(folder / "out/runs/small/two-phase/dx0.04").size() > 0);
+    CHECK(list_frames(folder / "out/replicates/small/two-phase/initial.arrangement=2").empty());
     CHECK(read_run(folder / "out/replicates/small/two-phase/initial.arrangement=2/run.h5")
               .provenance.at("overrides") == "initial.arrangement=2");
 }

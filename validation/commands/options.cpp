@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "solver/core/errors.hpp"
@@ -95,6 +96,20 @@ void add_checkpoint_interval(CLI::App& command, double& interval) {
         ->check(CLI::Range(0.0, 1e9))
         ->type_name("SECONDS")
         ->capture_default_str();
+}
+
+void add_fields(CLI::App& command, std::optional<Fields>& fields, const char* otherwise) {
+    const auto take = [&fields](const std::string& name) {
+        const auto found = std::find(fields_names.begin(), fields_names.end(), name);
+        fields = static_cast<Fields>(found - fields_names.begin());
+    };
+    command
+        .add_option_function<std::string>(
+            "--fields", take,
+            fmt::format("field files: none, key (those that the report shows) or all (default: {})",
+                        otherwise))
+        ->check(CLI::IsMember(std::vector<std::string>(fields_names.begin(), fields_names.end())))
+        ->type_name("WHICH");
 }
 
 void add_fresh(CLI::App& command, bool& fresh) {

@@ -54,6 +54,8 @@ void add_only(CLI::App& command, std::vector<std::string>& names, const std::str
 void add_jobs(CLI::App& command, int& jobs);
 void add_threads(CLI::App& command, int& threads, const char* description);
 void add_checkpoint_interval(CLI::App& command, double& interval);
+/// Which field files a run writes; @param otherwise  what is done without the option, in words
+void add_fields(CLI::App& command, std::optional<Fields>& fields, const char* otherwise);
 void add_fresh(CLI::App& command, bool& fresh);
 void add_json(CLI::App& command, bool& json, const char* description = "print JSON, for scripts");
 void add_quiet(CLI::App& command, bool& quiet);

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "validation/scene/shown_frames.hpp"
 #include "validation/store/fields.hpp"
 #include "validation/store/raster.hpp"
 
@@ -44,20 +45,14 @@ const FrameEntry* frame_near(const Scene& scene, const std::vector<FrameEntry>& 
     return near ? &*nearest : nullptr;
 }
 
-/// Frames nearest to the scene's picture times; of the default variant also frames at equal intervals, up to
-/// a dozen in all.
-std::vector<const FrameEntry*> shown_frames(const Scene& scene, const RunRecord& record,
+/// Frames nearest to those that the report looks for.
+std::vector<const FrameEntry*> frames_found(const Scene& scene, const RunRecord& record,
                                             const std::vector<FrameEntry>& frames) {
-    constexpr std::size_t enough = 12;
     std::map<double, const FrameEntry*> shown;
     const auto take = [&](double time) {
         if (const FrameEntry* frame = frame_near(scene, frames, time)) shown.emplace(frame->time, frame);
     };
-    for (const double time : scene.picture_times) take(time);
-    if (record.variant == scene.analysis.default_variant) {
-        for (std::size_t k = 1; k <= enough && shown.size() < enough; ++k)
-            take(scene.end_time * static_cast<double>(k) / enough);
-    }
+    for (const double time : wanted_pictures(scene, record.variant)) take(time);
     std::vector<const FrameEntry*> in_order;
     for (const auto& entry : shown) in_order.push_back(entry.second);
     return in_order;
@@ -140,7 +135,7 @@ std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord&
                                             const std::filesystem::path& run_directory) {
     const std::vector<FrameEntry> frames = list_frames(run_directory);
     std::vector<report::Picture> pictures;
-    for (const FrameEntry* frame : shown_frames(scene, record, frames))
+    for (const FrameEntry* frame : frames_found(scene, record, frames))
         pictures.push_back(picture_of(scene, record, *frame));
     return pictures;
 }

@@ -22,6 +22,7 @@ struct RunCommand {
     std::vector<std::string> overrides;
     std::string directory;
     Resources resources;
+    std::optional<Fields> fields;
     bool replace = false;
     Verbosity verbosity;
 };
@@ -44,6 +45,7 @@ int run_command(const RunCommand& options) {
     for (const std::string& doubt : doubts_of_run(scene, run.particle_spacing, options.choice.until))
         fmt::print(stderr, "doubt: {}\n", doubt);
     run.until = options.choice.until;
+    run.fields = options.fields.value_or(Fields::all);
     run.replace = options.replace;
     run.directory = options.directory.empty()
                         ? run_path("results", scene.name(), scene.variant, run.particle_spacing)
@@ -64,6 +66,7 @@ void add_run(CLI::App& app, int& exit_code) {
         ->allow_extra_args(false)
         ->type_name("KEY=VALUE");
     add_out(command, options->directory, "results/runs/SCENE/VARIANT/dxDX");
+    add_fields(command, options->fields, "all");
     command.add_flag("--replace", options->replace, "replace the run that the directory holds");
     add_resources(command, options->resources);
     add_verbosity(command, options->verbosity);

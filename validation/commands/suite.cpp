@@ -29,6 +29,7 @@ struct SuiteOptions {
     PlanOptions plan;
     RowOptions row;
     std::string directory;
+    std::optional<Fields> fields;
     int jobs = 0;
     std::string executor = "local";
     std::string partition;
@@ -106,6 +107,7 @@ int run_one_row(const SuiteOptions& options, std::size_t number) {
 int run_suite(SuiteOptions options) {
     catch_stop_signals();
     PlanOptions& plan = options.plan;
+    options.row.fields = options.fields.value_or(plan.tier == "quick" ? Fields::key : Fields::all);
     plan.directory =
         options.directory.empty() ? fs::path("results") / plan.tier : fs::path(options.directory);
     if (options.print_plan) return print_plan(plan, options.json), exit_done;
@@ -163,6 +165,8 @@ void add_suite(CLI::App& app, int& exit_code) {
     command.add_option("--row", options->row_number, "run only this row of the plan, without a report")
         ->type_name("N");
     add_slurm(command, *options);
+    add_fields(command, options->fields,
+               "key in the quick tier, all in the others; runs of studies have none");
     add_fresh(command, options->row.fresh);
     add_checkpoint_interval(command, options->row.checkpoint_interval);
     add_json(command, options->json, "with --plan: print JSON, for scripts");

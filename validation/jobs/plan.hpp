@@ -35,6 +35,7 @@ struct RowOptions {
     int threads = 0;                                                ///< 0: left to the executor
     bool fresh = false;                                             ///< repeat finished runs
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< wall seconds
+    Fields fields = Fields::all;                                    ///< of runs that belong to no study
 };
 
 /// Every row of the tier, longest first, and at the coarsest spacing of the variant two for each

@@ -67,7 +67,8 @@ std::vector<ReplicateRow> replicate_rows(const AnalysisSpec& scene, const std::v
     std::map<std::pair<std::string, double>, std::map<std::string, Draws>> groups;  // by variant and spacing
     for (const SensitivityRun& each : runs) {
         const RunRecord& record = each.run.record;
-        if (each.key != arrangement_key || !applies(scene, record) || record.status != RunStatus::ok) continue;
+        if (each.key != arrangement_key || !applies(scene, record) || record.status != RunStatus::ok)
+            continue;
         for (const JudgedValue& value : judged_values(scene, each.run)) {
             if (!value.simulated) continue;
             Draws& draws = groups[{record.variant, record.particle_spacing}][value.name];

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -22,6 +23,7 @@
 #include "validation/run/time_series.hpp"
 #include "validation/scene/identity.hpp"
 #include "validation/scene/model_keys.hpp"
+#include "validation/scene/shown_frames.hpp"
 #include "validation/store/provenance.hpp"
 #include "validation/store/run_directory.hpp"
 #include "validation/store/run_store.hpp"
@@ -192,9 +194,13 @@ class Run {
         const Simulation& s = simulation_;
         series_.sample(s, s.time() >= end_);
         if (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_]) {
-            while (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_])
-                ++next_frame_;
-            fields_->write(frame_of(s, line()));
+            bool shown = false;
+            for (; next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_];
+                 ++next_frame_)
+                shown = shown ||
+                        std::binary_search(shown_.begin(), shown_.end(), scene_.frame_times[next_frame_]);
+            if (options_.fields == Fields::all || (options_.fields == Fields::key && shown))
+                fields_->write(frame_of(s, line()));
             field_series_.sample(s);
         }
         const bool kept = last_good_.update(s, line());
@@ -244,6 +250,7 @@ class Run {
     FieldTimeSeries field_series_;
     std::optional<FieldWriter> fields_;
     std::size_t next_frame_ = 0;
+    const std::vector<double> shown_ = shown_frames(scene_);  ///< by the report [s]
     std::uint64_t steps_between_ = inspection_interval(simulation_, 256, 4);
     LastGoodFrame last_good_{steps_between_};
 };

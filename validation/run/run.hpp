@@ -2,6 +2,7 @@
 // One run of a scene: from its file to run.h5 and the fields beside it.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -12,11 +13,16 @@
 
 namespace wetdeck {
 
+/// Which field files a run writes: none, those that the report shows (scene/shown_frames.hpp), or all.
+enum class Fields { none, key, all };
+inline constexpr std::array fields_names{"none", "key", "all"};
+
 struct RunOptions {
     std::filesystem::path directory;
     double particle_spacing = 0;      ///< [m]
     std::optional<double> until;      ///< stop time [s], the scene's if absent
     int threads = 0;                  ///< 0: all
+    Fields fields = Fields::all;      ///< no part of the run's identity
     bool replace = false;             ///< replace another run that the directory holds
     double checkpoint_interval = 10;  ///< wall seconds; further apart where that would cost more than 1 %
 };

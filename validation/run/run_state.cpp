@@ -44,6 +44,7 @@ void save_request(Checkpoint& checkpoint, const Scene& scene, const RunOptions& 
     for (std::size_t n = 0; n < scene.overrides.size(); ++n)
         checkpoint.texts[fmt::format("{}{:06}", override_prefix, n)] = scene.overrides[n];
     checkpoint.numbers["particle_spacing"] = options.particle_spacing;
+    checkpoint.numbers["fields"] = static_cast<double>(options.fields);
     if (options.until) checkpoint.numbers["until"] = *options.until;
 }
 
@@ -58,6 +59,8 @@ Scene scene_in(const Checkpoint& checkpoint) {
 RunOptions options_in(const Checkpoint& checkpoint) {
     RunOptions options;
     options.particle_spacing = checkpoint.number("particle_spacing");
+    if (checkpoint.numbers.count("fields") > 0)  // checkpoints of earlier revisions have all
+        options.fields = static_cast<Fields>(checkpoint.number("fields"));
     if (checkpoint.numbers.count("until") > 0) options.until = checkpoint.number("until");
     return options;
 }
