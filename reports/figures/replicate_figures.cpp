@@ -57,12 +57,13 @@ Figure distribution_figure(const std::vector<const ReplicateRow*>& rows) {
             fmt::format("{} replicates, {} at {} m", row->value.size(), row->variant, number(row->dx, 4)),
             distribution_of(row->value), variant_colour(place++)));
     }
-    if (first.reference && first.u_reference && *first.u_reference > 0) {
-        PlotSeries reference = line("reference, normal with its uncertainty",
-                                    normal_distribution(*first.reference, *first.u_reference), "#111111");
-        reference.style = Style::dashed;
-        figure.series.push_back(std::move(reference));
-    }
+    const double spread = first.u_reference.value_or(0);
+    PlotSeries reference = spread > 0
+                               ? line("reference, normal with its uncertainty",
+                                      normal_distribution(*first.reference, spread), "#111111")
+                               : line("reference", {{*first.reference, *first.reference}, {0, 1}}, "#111111");
+    reference.style = Style::dashed;
+    figure.series.push_back(std::move(reference));
     return figure;
 }
 

@@ -114,22 +114,19 @@ std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::ve
     return variants;
 }
 
-std::map<double, double> values_by_spacing(const AnalysisSpec& scene, const Sound& runs,
-                                           const std::string& name) {
-    std::map<double, double> values;
-    for (const RunSummary* run : runs) {
-        for (const JudgedValue& value : judged_values(scene, *run)) {
-            if (value.name == name && value.simulated)
-                values[run->record.particle_spacing] = *value.simulated;
-        }
-    }
+using BySpacing = std::map<double, double>;
+
+/// The values of all spacings, by name.
+std::map<std::string, BySpacing> values_of(const AnalysisSpec& scene, const Sound& runs) {
+    std::map<std::string, BySpacing> values;
+    for (const RunSummary* run : runs)
+        for (const JudgedValue& value : judged_values(scene, *run))
+            if (value.simulated) values[value.name][run->record.particle_spacing] = *value.simulated;
     return values;
 }
 
-/// Its values, their names and the numerical uncertainty.
-ValidationRow row_of(const AnalysisSpec& scene, const Sound& sound, const JudgedValue& value,
-                     const std::vector<ReplicateRow>& replicates) {
-    const RunRecord& finest = sound.back()->record;
+/// A value of the finest run, its names and what is known without the other values.
+ValidationRow row_of(const AnalysisSpec& scene, const RunRecord& finest, const JudgedValue& value) {
     ValidationRow row;
     row.scene = scene.scene;
     row.variant = finest.variant;
@@ -145,7 +142,6 @@ ValidationRow row_of(const AnalysisSpec& scene, const Sound& sound, const Judged
     row.u_data = value.u_data;
     row.assumed_reason = value.assumed_reason;
     if (!value.assumed_reason.empty()) row.assumed.emplace_back("u_data");
-    set_numerical(row, values_by_spacing(scene, sound, value.name), replicates_of(row, scene, replicates));
     return row;
 }
 
@@ -155,10 +151,12 @@ std::vector<ValidationRow> rows_of(const AnalysisSpec& scene, const std::vector<
     std::vector<ValidationRow> rows;
     for (const auto& [variant, sound] : sound_runs(scene, runs)) {
         if (variant != scene.default_variant && sound.size() < least_spacings) continue;
+        const std::map<std::string, BySpacing> values = values_of(scene, sound);
         for (const JudgedValue& value : judged_values(scene, *sound.back())) {
             if (!value.simulated || !value.reference || counts_as_validation(value.kind) != measured)
                 continue;
-            ValidationRow row = row_of(scene, sound, value, studies.replicates);
+            ValidationRow row = row_of(scene, sound.back()->record, value);
+            set_numerical(row, values.at(value.name), replicates_of(row, scene, studies.replicates));
             if (measured) {
                 set_input(row, studies.sensitivity, scene);
                 if (row.u_input && assumes_inputs(scene)) row.assumed.emplace_back("u_input");
