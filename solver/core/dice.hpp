@@ -10,6 +10,7 @@ namespace wetdeck {
 /// Numbers drawn from a seed.
 class Dice {
   public:
+    /// The same seed gives the same numbers.
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
     /// In [-size, size).
     double symmetric(double size) { return size * (2 * static_cast<double>(engine_() >> 11) * 0x1p-53 - 1); }

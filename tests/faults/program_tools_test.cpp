@@ -37,10 +37,11 @@ std::set<std::string> matches(const std::string& text, const char* pattern) {
     return found;
 }
 
-/// Commands as the help lists them.
+/// Commands of the program as the help lists them, before those of the script.
 std::set<std::string> commands() {
     const std::string help = output_of({"--help"});
-    return matches(help.substr(help.find("Subcommands:")), "\n  ([a-z]+) ");
+    const std::size_t begin = help.find("Subcommands:"), end = help.find("Commands of the script", begin);
+    return matches(help.substr(begin, end - begin), "\n  ([a-z]+) ");
 }
 
 std::set<std::string> options_of(const std::string& command) {
