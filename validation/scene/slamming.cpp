@@ -17,6 +17,7 @@ namespace wetdeck {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+
 /// Where sound comes back from, and when.
 struct Echo {
     const char* from;
