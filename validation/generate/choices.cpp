@@ -78,14 +78,14 @@ void choose_record(const HullSection& section, const EntryWishes& wishes, EntryC
     if (!wishes.record) at_most(20 * section.beam() / all.sound_speed, RecordRule::cost);
     if (!wishes.depth) return;
     const double wanted = all.way() / 2;
-    at_most(2 * *wishes.depth / (1.05 * all.sound_speed), RecordRule::depth);
+    at_most(2 * *wishes.depth / (sound_margin * all.sound_speed), RecordRule::depth);
     const double least = wishes.record ? 1 : 0.25;  // of the depth wanted
     if (*wishes.depth < least * wanted)
         throw InputError(fmt::format(
             "--depth is {:.4g} m: at {:.4g} m/s sound is back from the floor after {:.3g} ms, before the "
             "record of {:.3g} ms is over; expected at least {:.3g} m{}",
             *wishes.depth, all.sound_speed, 2000 * *wishes.depth / all.sound_speed,
-            2000 * wanted / 1.05 / all.sound_speed, least * wanted,
+            2000 * wanted / sound_margin / all.sound_speed, least * wanted,
             wishes.record ? ", or a shorter --record" : ""));
 }
 

@@ -3,9 +3,8 @@
 //
 // With V the speed at the water, B the beam, b the least deadrise, c the sound speed, T the time from
 // contact:
-//     c        12 pi V/(2 tan b) for a bottom of wedges (validation/scene/slamming.hpp), 100 V where a side
-//     is
-//              flat, at least 10 V, at most that of real water, 1450 m/s
+//     c        12 pi V/(2 tan b) for a bottom of wedges (validation/scene/slamming.hpp), 100 V where a
+//              side is flat, at least 10 V, at most that of real water, 1450 m/s
 //     T        until the level at rest reaches the end of the bottom at the speed V, at most 20 B/c
 //     tank     1.05 c T of way there and back for sound, to the floor and to the sides
 //     spacing  50 on the beam, or finer, so that every part is four of the coarsest spacings thick
@@ -19,6 +18,9 @@
 #include "validation/generate/section.hpp"
 
 namespace wetdeck {
+
+/// What the tank leaves to sound over what the record needs.
+inline constexpr double sound_margin = 1.05;
 
 /// What the user asks for.
 struct EntryWishes {
@@ -52,7 +54,7 @@ struct EntryChoices {
 
     std::array<double, 3> spacings() const { return {4 * unit, 3 * unit, 2 * unit}; }
     /// Way of sound that the tank leaves, there and back [m].
-    double way() const { return 1.05 * sound_speed * record; }
+    double way() const { return sound_margin * sound_speed * record; }
 };
 
 /// Throws InputError, with the flag to change, where no set-up serves: water so shallow that sound is back

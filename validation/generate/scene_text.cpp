@@ -57,8 +57,8 @@ std::string tank(const SceneParts& p) {
     const EntryChoices& c = p.c;
     return comment(fmt::format(
                "The tank: within the record of {:.4g} ms sound at {} m/s goes {:.3g} m, 5 % to spare. From "
-               "the section "
-               "to the sides and back is longer{}. Sides are multiples of {} m, which all spacings divide.",
+               "the section to the sides and back is longer{}. Sides are multiples of {} m, which all "
+               "spacings divide.",
                1000 * c.record, number_text(c.sound_speed), c.way(),
                c.record_rule == RecordRule::depth ? ", to the floor and back as long"
                                                   : ", to the floor and back too",
@@ -80,8 +80,8 @@ std::string reason_of_sound(const SceneParts& p) {
     std::string on_side;
     if (p.section.deadrise)
         on_side = fmt::format(
-            "on the flattest side, {:.3g} degrees, the contact line moves at pi V/(2 tan b) = {:.3g} "
-            "m/s",
+            "on the flattest side, {:.3g} degrees, the contact line moves at pi V/(2 tan b) = "
+            "{:.3g} m/s",
             degrees(*p.section.deadrise), v * wagner_contact_line_speed(*p.section.deadrise));
     switch (p.c.sound_rule) {
         case SoundRule::contact_line:
@@ -90,9 +90,8 @@ std::string reason_of_sound(const SceneParts& p) {
         case SoundRule::flat_bottom:
             return "a side of the bottom is flat and meets the water at once, with the pressure rho c V. A "
                    "hundred times the speed keeps the compression of the water, V/c, to 1 %. That first "
-                   "pressure "
-                   "follows the "
-                   "sound speed, impulses do not: compare it only at the same sound speed.";
+                   "pressure follows the sound speed, impulses do not: compare it only at the same sound "
+                   "speed.";
         case SoundRule::fastest_speed:
             return "ten times the fastest speed, so that the density changes by 1 % or less.";
         case SoundRule::real_water:
@@ -132,8 +131,7 @@ boxes = [[0.0, {}, {}, {}]]
                        number_text(c.depth), number_text(c.width), number_text(c.depth + c.headroom)) +
            comment(
                "The background pressure keeps water from tearing where the pressure sinks, and softens a "
-               "slam a "
-               "little: 5 % of rho V^2/2, from 100 to 1500 Pa.") +
+               "slam a little: 5 % of rho V^2/2, from 100 to 1500 Pa.") +
            fmt::format("[model]\nair = true\nbackground_pressure = {}\n\n",
                        number_text(c.background_pressure));
 }

@@ -40,10 +40,8 @@ std::vector<std::string> arguments_of(const SuiteRow& row, const RowOptions& opt
                                           row.directory.string(),
                                           "--checkpoint-interval",
                                           fmt::format("{}", options.checkpoint_interval)};
-    arguments.emplace_back("--fields");
-    // the report shows no fields of studies
-    arguments.emplace_back(
-        fields_names[static_cast<std::size_t>(row.overrides.empty() ? options.fields : Fields::none)]);
+    arguments.emplace_back("--fields");  // the report shows none of studies
+    arguments.emplace_back(name_of(row.overrides.empty() ? options.fields : Fields::none));
     if (options.fresh || !interrupted(row)) arguments.emplace_back("--replace");
     if (row.until) {
         arguments.emplace_back("--until");

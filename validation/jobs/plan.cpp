@@ -25,26 +25,29 @@ std::string identity_of(const SuiteRow& row) {
     return identity_of(scene, options);
 }
 
-/// A row in which one key of a variant has another value, with the keys that must change with it.
+/// One key of a variant with another value, and the keys that must change with it.
 struct VariedKey {
     std::string key;
     double value = 0;
     std::vector<std::string> with = {};  ///< KEY=VALUE
 
     std::string assignment() const { return fmt::format("{}={}", key, value); }
+    std::vector<std::string> overrides() const {
+        std::vector<std::string> all = {assignment()};
+        all.insert(all.end(), with.begin(), with.end());
+        return all;
+    }
 };
 
+/// @param scene   of the variant, as varied or at the same cost
 /// @param folder  of the study; the run lies in it under the assignment
-SuiteRow varied_row(const std::string& name, const std::string& variant, const VariedKey& varied,
+SuiteRow varied_row(const std::string& name, const Scene& scene, const VariedKey& varied,
                     double particle_spacing, const fs::path& folder) {
-    std::vector<std::string> overrides = {varied.assignment()};
-    overrides.insert(overrides.end(), varied.with.begin(), varied.with.end());
-    const Scene scene = read_scene(find_scene(name), variant, overrides);
     return {name,
-            variant,
+            scene.variant,
             particle_spacing,
             estimate_cost(scene, particle_spacing).core_seconds,
-            overrides,
+            varied.overrides(),
             folder / varied.assignment()};
 }
 
@@ -64,8 +67,11 @@ void add_sensitivity_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
     if (!dx) return;
     const fs::path folder = options.directory / sensitivity_folder / scene.name();
     for (const SensitivitySpec& spec : scene.analysis.sensitivities) {
-        rows.push_back(varied_row(name, scene.variant, {spec.key, spec.low, spec.low_with}, *dx, folder));
-        rows.push_back(varied_row(name, scene.variant, {spec.key, spec.high, spec.high_with}, *dx, folder));
+        for (const VariedKey& varied :
+             {VariedKey{spec.key, spec.low, spec.low_with}, {spec.key, spec.high, spec.high_with}}) {
+            const Scene as_varied = read_scene(find_scene(name), scene.variant, varied.overrides());
+            rows.push_back(varied_row(name, as_varied, varied, *dx, folder));
+        }
     }
 }
 
@@ -82,9 +88,10 @@ void add_sound_speed_rows(std::vector<SuiteRow>& rows, const PlanOptions& option
                 varied.with = scene.analysis.twice_sound_speed_with;
             else
                 varied.with = {"accepted_doubts.sound_speed=its effect is studied"};
-            rows.push_back(varied_row(name, variant, varied, *dx,
+            const Scene as_varied = read_scene(find_scene(name), variant, varied.overrides());
+            check_row(as_varied, options.tier, *dx);
+            rows.push_back(varied_row(name, as_varied, varied, *dx,
                                       options.directory / sound_speed_folder / scene.name() / variant));
-            check_row(read_scene(find_scene(name), variant, rows.back().overrides), options.tier, *dx);
         }
     }
 }
@@ -96,8 +103,9 @@ void add_replicate_rows(std::vector<SuiteRow>& rows, const PlanOptions& options,
         const auto dx = coarsest_spacing(options, scene, variant);
         if (!dx) continue;
         const fs::path folder = options.directory / replicates_folder / scene.name() / variant;
+        const Scene lattice = read_scene(find_scene(name), variant);
         for (int seed = 1; seed <= options.replicates.value_or(scene.analysis.replicates); ++seed)
-            rows.push_back(varied_row(name, variant, {arrangement_key, double(seed)}, *dx, folder));
+            rows.push_back(varied_row(name, lattice, {arrangement_key, double(seed)}, *dx, folder));
     }
 }
 

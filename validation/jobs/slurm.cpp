@@ -96,7 +96,7 @@ std::string suite_command(const PlanOptions& plan, const RowOptions& row) {
         scenes += (scenes.empty() ? "" : ",") + (file ? fs::absolute(scene).string() : scene);
     }
     if (!scenes.empty()) command += " --only " + shell_quoted(scenes);
-    command += fmt::format(" --fields {}", fields_names[static_cast<std::size_t>(row.fields)]);
+    command += fmt::format(" --fields {}", name_of(row.fields));
     if (plan.replicates) command += fmt::format(" --replicates {}", *plan.replicates);
     if (row.fresh) command += " --fresh";
     return command;

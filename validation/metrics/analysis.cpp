@@ -197,8 +197,9 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
     }
     const InputStudies studies{summary.sensitivity, summary.replicates};
     for (const AnalysisSpec& spec : scenes) {  // variants take u_input from studies of others
-        append(summary.validation, validation_rows(spec, summary.runs, studies));
-        append(summary.agreement, agreement_rows(spec, summary.runs, studies));
+        JudgedRows judged = judged_rows(spec, summary.runs, studies);
+        append(summary.validation, std::move(judged.validation));
+        append(summary.agreement, std::move(judged.agreement));
     }
     for (AnalysisSpec& spec : summary.scenes) {
         ReferenceShelf references(reference_directory / spec.scene, spec.folder);

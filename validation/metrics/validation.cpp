@@ -19,6 +19,8 @@ namespace {
 /// A variant with fewer spacings is not judged, unless it is the scene's default.
 constexpr std::size_t least_spacings = 3;
 
+using BySpacing = std::map<double, double>;
+
 /// A value of unknown kind is taken for a measurement; the report says that its kind is not stated.
 bool counts_as_validation(std::optional<ReferenceKind> kind) {
     return !kind || describe(*kind).validates;
@@ -46,8 +48,7 @@ std::string grid_source(const ConvergenceRow& row) {
     return row.gci_fine ? "GCI / 2" : row.verdict + ": range of three spacings";
 }
 
-void set_numerical(ValidationRow& row, const std::map<double, double>& values,
-                   const ReplicateRow* replicates) {
+void set_numerical(ValidationRow& row, const BySpacing& values, const ReplicateRow* replicates) {
     const ConvergenceRow verified = convergence({values.begin(), values.end()});
     row.u_grid = numerical_uncertainty(verified);
     row.u_num_source = row.u_grid ? grid_source(verified) : "unknown: fewer than three spacings";
@@ -114,8 +115,6 @@ std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::ve
     return variants;
 }
 
-using BySpacing = std::map<double, double>;
-
 /// The values of all spacings, by name.
 std::map<std::string, BySpacing> values_of(const AnalysisSpec& scene, const Sound& runs) {
     std::map<std::string, BySpacing> values;
@@ -145,16 +144,17 @@ ValidationRow row_of(const AnalysisSpec& scene, const RunRecord& finest, const J
     return row;
 }
 
-/// Rows of the values against measurements, or of those against everything else.
-std::vector<ValidationRow> rows_of(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
-                                   const InputStudies& studies, bool measured) {
-    std::vector<ValidationRow> rows;
+}  // namespace
+
+JudgedRows judged_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
+                       const InputStudies& studies) {
+    JudgedRows rows;
     for (const auto& [variant, sound] : sound_runs(scene, runs)) {
         if (variant != scene.default_variant && sound.size() < least_spacings) continue;
         const std::map<std::string, BySpacing> values = values_of(scene, sound);
         for (const JudgedValue& value : judged_values(scene, *sound.back())) {
-            if (!value.simulated || !value.reference || counts_as_validation(value.kind) != measured)
-                continue;
+            if (!value.simulated || !value.reference) continue;
+            const bool measured = counts_as_validation(value.kind);
             ValidationRow row = row_of(scene, sound.back()->record, value);
             set_numerical(row, values.at(value.name), replicates_of(row, scene, studies.replicates));
             if (measured) {
@@ -166,22 +166,10 @@ std::vector<ValidationRow> rows_of(const AnalysisSpec& scene, const std::vector<
             }
             combine(row);
             conclude(row);
-            rows.push_back(std::move(row));
+            (measured ? rows.validation : rows.agreement).push_back(std::move(row));
         }
     }
     return rows;
-}
-
-}  // namespace
-
-std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
-                                           const InputStudies& studies) {
-    return rows_of(scene, runs, studies, true);
-}
-
-std::vector<ValidationRow> agreement_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
-                                          const InputStudies& studies) {
-    return rows_of(scene, runs, studies, false);
 }
 
 std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,

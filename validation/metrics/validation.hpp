@@ -29,15 +29,17 @@ struct InputStudies {
 ///              or, where this variant has no study, for the default variant; unknown without
 /// Only the default variant and those with at least three spacings have rows. `verdict` and `sentence` are
 /// those of verdict.hpp.
-std::vector<ValidationRow> validation_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
-                                           const InputStudies& studies);
+///
+/// Beside them stand, in the same way, the rows against exact solutions, other codes and values stated in
+/// publications: the same inputs, so that u_input is zero; u_data of an exact solution is zero unless it is
+/// stated.
+struct JudgedRows {
+    std::vector<ValidationRow> validation, agreement;
+};
+JudgedRows judged_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
+                       const InputStudies& studies);
 
-/// The same against exact solutions, other codes and values stated in publications: the same inputs, so that
-/// u_input is zero; u_data of an exact solution is zero unless it is stated.
-std::vector<ValidationRow> agreement_rows(const AnalysisSpec& scene, const std::vector<RunSummary>& runs,
-                                          const InputStudies& studies);
-
-/// The effect of each varied input on the quantities and the curves (by the names of `validation_rows`), from
+/// The effect of each varied input on the quantities and the curves (by the names of `judged_rows`), from
 /// pairs of runs with the key at its low and its high value.
 std::vector<SensitivityRow> sensitivity_rows(const AnalysisSpec& scene,
                                              const std::vector<SensitivityRun>& runs);

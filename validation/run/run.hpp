@@ -16,6 +16,9 @@ namespace wetdeck {
 /// Which field files a run writes: none, those that the report shows (scene/shown_frames.hpp), or all.
 enum class Fields { none, key, all };
 inline constexpr std::array fields_names{"none", "key", "all"};
+inline const char* name_of(Fields fields) {
+    return fields_names[static_cast<std::size_t>(fields)];
+}
 
 struct RunOptions {
     std::filesystem::path directory;

@@ -62,7 +62,7 @@ ValidationRow judged(const std::vector<double>& by_spacing, const std::vector<Se
         dx /= 2;
     }
     const std::vector<ReplicateRow> rows = replicate_rows(scene(), repeated);
-    return validation_rows(scene(), runs, {{}, rows}).at(0);
+    return judged_rows(scene(), runs, {{}, rows}).validation.at(0);
 }
 
 }  // namespace

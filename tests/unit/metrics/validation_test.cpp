@@ -162,7 +162,7 @@ TEST_CASE("A curve compared with one reference in two windows has two rows with 
             size /= 4;  // second order
         }
     }
-    const std::vector<ValidationRow> rows = validation_rows(spec, runs, {{}, {}});
+    const std::vector<ValidationRow> rows = judged_rows(spec, runs, {{}, {}}).validation;
     REQUIRE(rows.size() == 2);
     CHECK(rows[0].quantity == "early: mean");
     CHECK(rows[1].quantity == "late: mean");
