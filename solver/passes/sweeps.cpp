@@ -27,6 +27,8 @@ void update_with(FluidState* state, const DensityUpdate& u, Power power) {
         x += 0.5 * u.dt * vx;
         y += 0.5 * u.dt * vy;
         store_columns(p, state, eight);
+        if (!u.mixed) continue;
+        for (std::size_t i = eight.first; i < eight.first + eight.count; ++i) u.mixed->set(i, state[i]);
     }
 }
 
