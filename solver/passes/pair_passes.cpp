@@ -3,18 +3,12 @@
 
 #include "solver/core/errors.hpp"
 #include "solver/passes/instruction_sets.hpp"
+#include "solver/physics/mixed_precision.hpp"
 
 namespace wetdeck {
 
-std::string without_mixed_passes(const Model& model) {
-    if (model.velocity_mean == Mean::harmonic) return "velocity_mean = \"harmonic\"";
-    if (model.pressure_mean == Mean::harmonic) return "pressure_mean = \"harmonic\"";
-    if (model.impedance_mean == ImpedanceMean::harmonic) return "impedance_mean = \"harmonic\"";
-    return model.dissipation_switch ? "dissipation_switch = true" : "";
-}
-
 PairPasses pair_passes(const Model& model, const std::string& instruction_set, Precision precision) {
-    if (const std::string choice = without_mixed_passes(model);
+    if (const std::string choice = without_mixed_pairs(model);
         precision == Precision::mixed && !choice.empty())
         throw InputError("there are no passes in mixed precision for " + choice);
     struct Choice {

@@ -40,11 +40,6 @@ struct PairPasses {
     NearFilter filter_near = nullptr;  ///< for the neighbour list
 };
 
-/// The choice of a model that has no passes in mixed precision, as a scene writes it; empty where there is
-/// none. A harmonic mean divides by a sum that may vanish, and the dissipation switch compares small
-/// differences.
-std::string without_mixed_passes(const Model& model);
-
 /// The passes for an instruction set ("sse2", "avx2", "avx512"; empty: the best of this processor). Throws
 /// InputError if it is unknown or not supported here, or if the model has no passes in mixed precision.
 PairPasses pair_passes(const Model& model, const std::string& instruction_set = "",
