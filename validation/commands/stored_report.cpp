@@ -21,6 +21,7 @@
 #include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/summary_json.hpp"
 #include "validation/metrics/verification_json.hpp"
+#include "validation/scene/one_setup.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/scene/scheme_differences.hpp"
 #include "validation/store/atomic_write.hpp"
@@ -209,12 +210,14 @@ void write_suite_plan(const fs::path& directory, const std::string& tier,
 
 Summary analyse_directory(const fs::path& directory) {
     StoredRuns stored = read_runs(directory);
+    std::vector<LeftOutRun> left_out = leave_out_other_setups(stored.runs, stored.varied);
     std::set<std::string> present;
     for (const RunSummary& run : stored.runs) present.insert(run.directory);
     for (const SensitivityRun& varied : stored.varied) present.insert(varied.run.directory);
     const std::vector<AnalysisSpec> specifications = specifications_of(stored.runs);
     Summary summary =
         analyse(specifications, std::move(stored.runs), reference_directory(), std::move(stored.varied));
+    summary.left_out = std::move(left_out);
     read_suite_plan(directory, present, summary);
     summary.ablation = read_ablation(directory);
     summary.stress = read_stress(directory);

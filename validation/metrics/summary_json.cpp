@@ -142,6 +142,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"ablation", summary.ablation},
             {"stress", summary.stress},
             {"doubts", summary.doubts},
+            {"left_out", summary.left_out},
             {"missing", summary.missing}};
 }
 
