@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -189,13 +190,14 @@ void add_side_by_side(const AnalysisSpec& spec, const Summary& summary, const fs
                       report::ReportInputs& inputs) {
     for (const SideBySide& entry : spec.side_by_side) {
         if (!entry.time) continue;
-        std::vector<report::Picture>& pictures = inputs.side_by_side[{spec.scene, entry.title}];
+        std::list<Scene> scenes;  // which the sources refer to
+        std::vector<PictureSource> runs;
         for (const RunSummary* run : report::side_by_side_runs(report::runs_of(summary, spec), entry)) {
             const RunRecord& r = run->record;
-            const Scene scene = parse_scene(r.scene_text, r.scene_path, r.variant);
-            if (auto picture = field_picture_at(scene, r, directory / run->directory, *entry.time))
-                pictures.push_back(std::move(*picture));
+            scenes.push_back(parse_scene(r.scene_text, r.scene_path, r.variant));
+            runs.push_back({scenes.back(), r, directory / run->directory});
         }
+        inputs.side_by_side[{spec.scene, entry.title}] = field_pictures_at(runs, *entry.time);
     }
 }
 
@@ -250,7 +252,7 @@ Summary make_report(const fs::path& directory) {
     }
     for (const RunSummary* run : finest_runs(summary)) {
         inputs.pictures[run->directory] =
-            field_pictures(scenes.at(run->record.scene), run->record, directory / run->directory);
+            field_pictures({scenes.at(run->record.scene), run->record, directory / run->directory});
     }
     for (const AnalysisSpec& spec : report::scenes_of(summary))
         add_side_by_side(spec, summary, directory, inputs);

@@ -9,6 +9,7 @@
 
 #include "solver/core/curve.hpp"
 #include "validation/metrics/specification.hpp"
+#include "validation/metrics/standard_uncertainty.hpp"
 #include "validation/metrics/verification.hpp"
 #include "validation/store/run_record.hpp"
 
@@ -48,10 +49,10 @@ struct ComparisonResult {
     std::optional<double> nrmse;       ///< rms difference over the range of the reference in the window
     std::optional<double> peak_error;  ///< (max simulated - max reference) / |max reference| in the window
     std::optional<double> time_error;  ///< scaled time of the maximum, simulated minus reference
-    std::optional<double> reference_uncertainty;  ///< relative standard, k = 1; empty if unknown
-    std::optional<double> assumed_uncertainty;    ///< the same by judgement, where nobody states it
-    std::string assumed_reason = {};              ///< of the judgement
-    std::optional<double> abscissa_uncertainty;   ///< standard, scaled; empty if unknown
+    std::optional<StandardUncertainty> reference_uncertainty;  ///< scaled; empty if unknown
+    std::optional<StandardUncertainty> assumed_uncertainty;    ///< by judgement, where nobody states it
+    std::string assumed_reason = {};                           ///< of the judgement
+    std::optional<double> abscissa_uncertainty;                ///< standard, scaled; empty if unknown
     double tolerance = 0;
     bool within =
         false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
