@@ -144,14 +144,12 @@ std::string drawing_notice(const Page& page) {
                      "notice");
 }
 
-/// What a reader must know where runs of different set-ups or schemes lie in one directory.
+/// What a reader must know where runs of different schemes or set-ups lie in one directory.
 std::string mixture_notice(const Summary& summary) {
     std::set<std::string> revisions;
-    std::size_t others = 0;
     for (const RunSummary& run : summary.runs) {
         const auto found = run.record.parameters.find("scheme_revision");
         revisions.insert(found == run.record.parameters.end() ? "unknown" : number(found->second));
-        others += run.other_setup ? 1 : 0;
     }
     std::string out;
     if (revisions.size() > 1)
@@ -159,12 +157,12 @@ std::string mixture_notice(const Summary& summary) {
             paragraph(fmt::format("The runs were made with different revisions of the numerical scheme ({}).",
                                   fmt::join(revisions, ", ")),
                       "notice");
-    if (others > 0)
-        out +=
-            paragraph(fmt::format("{} of the runs have another set-up or scheme than the latest run of their "
-                                  "variant. They are shown, and nothing is computed from both.",
-                                  others),
-                      "notice");
+    for (const LeftOutRun& run : summary.left_out)
+        out += paragraph(fmt::format("{} is left out, because its set-up is not that of the latest run of "
+                                     "the scene: {}. A report holds one set-up of each variant; make one of "
+                                     "the other runs in a folder of their own.",
+                                     run.directory, fmt::join(run.differences, "; ")),
+                         "notice");
     return out;
 }
 
