@@ -18,7 +18,7 @@
 
 namespace wetdeck {
 
-/// A fluid particle in single precision.
+/// A fluid particle in single precision; its numbers stand as in FluidState.
 struct alignas(32) MixedState {
     std::uint32_t x = 0, y = 0;  ///< position [units]
     float vx = 0, vy = 0;        ///< [m/s]
@@ -56,6 +56,7 @@ class MixedFluid {
     void copy(const FluidState* fluid, std::size_t count, int threads);
     /// Copies particle i.
     void set(std::size_t i, const FluidState& particle) { state_[i] = fixed_point_(particle); }
+    MixedState* data() { return state_.data(); }
     const MixedState* data() const { return state_.data(); }
     const FixedPoint& fixed_point() const { return fixed_point_; }
     /// A particle without volume, out of every support.
