@@ -15,7 +15,7 @@ double units_per_metre(double length) {
 
 MixedFluid::MixedFluid(Box domain, double support_radius) {
     const Vec2 length = domain.high - domain.low + Vec2::Constant(8 * support_radius);
-    fixed_point_ = {units_per_metre(length.x()), units_per_metre(length.y())};
+    fixed_point_.per_metre_x = fixed_point_.per_metre_y = units_per_metre(length.maxCoeff());
     const Vec2 centre = 0.5 * (domain.low + domain.high);
     constexpr std::uint32_t half_period = std::uint32_t{1} << 31;
     nowhere_.x = FixedPoint::fixed(centre.x(), fixed_point_.per_metre_x) + half_period;

@@ -36,8 +36,10 @@ WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const typename Precise
                                      Neighbours neighbours, const PairCoefficients& c,
                                      typename Precise::Number mobility) {
     using Number = typename Precise::Number;
-    const double inverse_h = 1 / in.kernel.smoothing_length;
-    const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
+    const double unit = Precise::unit_of_length(in);
+    const double inverse_h = unit / in.kernel.smoothing_length;
+    const double gx = unit * c.hydrostatic_density * in.gravity.x(),
+                 gy = unit * c.hydrostatic_density * in.gravity.y();
     DensitySumsOf<Number> sums;
     for (const auto& j : Precise::each(in, neighbours)) {
         const SeparationOf<Number> s = separation(i, j.x, j.y);
@@ -59,7 +61,7 @@ WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const typename Precise
         if constexpr (terms.kernel_sum)
             sums.kernel_sum += j.volume * WendlandC2::shape(s.distance, inverse_h);
     }
-    return {Precise::total(sums.rate), Precise::total(sums.kernel_sum)};
+    return {unit * Precise::total(sums.rate), Precise::total(sums.kernel_sum)};
 }
 
 /// What the sums over boundary particles yield for a cluster, less the volume of each.

@@ -67,7 +67,8 @@ template <class Precise, MomentumTerms terms>
 VectorSum fluid_sum(const PassInput& in, const typename Precise::Fluid& i, Neighbours neighbours,
                     const PairCoefficients& c) {
     using Number = typename Precise::Number;
-    const double inverse_h = 1 / in.kernel.smoothing_length;
+    const double unit = Precise::unit_of_length(in);
+    const double inverse_h = unit / in.kernel.smoothing_length;
     VectorSumOf<Number> sum;
     for (const auto& j : Precise::each(in, neighbours)) {
         const SeparationOf<Number> s = separation(i, j.x, j.y);
@@ -76,7 +77,7 @@ VectorSum fluid_sum(const PassInput& in, const typename Precise::Fluid& i, Neigh
         sum.x += weight * s.x;
         sum.y += weight * s.y;
     }
-    return {Precise::total(sum.x), Precise::total(sum.y)};
+    return {unit * Precise::total(sum.x), unit * Precise::total(sum.y)};
 }
 
 template <WallTerms terms>

@@ -118,6 +118,8 @@ struct InDouble {
     static WETDECK_INLINE OneByOne<FluidState> each(const PassInput& in, Neighbours neighbours) {
         return {in.fluid, neighbours};
     }
+    /// Of separations [m].
+    static constexpr double unit_of_length(const PassInput&) { return 1; }
     /// A sum, or a number of the cluster, in double precision.
     static WETDECK_INLINE Pack total(Number sum) { return sum; }
     static WETDECK_INLINE Pack of_cluster(Number number) { return number; }

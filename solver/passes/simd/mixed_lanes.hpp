@@ -70,7 +70,6 @@ WETDECK_INLINE Pack sum_of_halves(FloatPack a) {
 struct MixedLanes {
     FixedPack x, y;
     FloatPack vx, vy, pressure, density;
-    float unit_x, unit_y;  ///< of positions [m]
 };
 
 WETDECK_INLINE FixedPack bits_of(FloatEight a) {
@@ -80,15 +79,16 @@ WETDECK_INLINE FixedPack bits_of(FloatEight a) {
     return fixed;
 }
 
+/// In units of positions.
 WETDECK_INLINE SeparationOf<FloatPack> separation(const MixedLanes& i, FixedPack x, FixedPack y) {
-    constexpr float least_squared_distance = 1e-30F;
-    const auto metres = [](FixedPack difference, float unit) -> FloatPack {
+    constexpr float least_squared_distance = 1e-12F;
+    const auto units = [](FixedPack difference) -> FloatPack {
         using Signed = FloatPack::MaskLanes;
-        return __builtin_convertvector(reinterpret_cast<Signed>(difference.lanes), FloatPack::Lanes) * unit;
+        return __builtin_convertvector(reinterpret_cast<Signed>(difference.lanes), FloatPack::Lanes);
     };
     SeparationOf<FloatPack> s;
-    s.x = metres(i.x - x, i.unit_x);
-    s.y = metres(i.y - y, i.unit_y);
+    s.x = units(i.x - x);
+    s.y = units(i.y - y);
     square_roots(s.x * s.x + (s.y * s.y + least_squared_distance), s.distance, s.inverse_distance);
     return s;
 }
@@ -151,15 +151,12 @@ struct InMixed {
         for (std::uint32_t lane = 0; lane < cluster_width; ++lane)
             std::memcpy(&c[lane].lanes, &in.mixed->data()[cluster.at(lane)], sizeof c[lane].lanes);
         turn(c);
-        const FixedPoint& fixed_point = in.mixed->fixed_point();
         return {bits_of(c[0]),
                 bits_of(c[1]),
                 for_all_neighbours(c[2]),
                 for_all_neighbours(c[3]),
                 for_all_neighbours(c[4]),
-                for_all_neighbours(c[6]),
-                static_cast<float>(1 / fixed_point.per_metre_x),
-                static_cast<float>(1 / fixed_point.per_metre_y)};
+                for_all_neighbours(c[6])};
     }
     static WETDECK_INLINE Lanes beside_walls(const PassInput& in, const Cluster& cluster, const Fluid&) {
         return WETDECK_ISA::load(in.fluid, cluster);
@@ -173,6 +170,9 @@ struct InMixed {
         return {in.mixed->data(), neighbours};
     }
 #endif
+    static WETDECK_INLINE double unit_of_length(const PassInput& in) {
+        return 1 / in.mixed->fixed_point().per_metre_x;
+    }
     static WETDECK_INLINE Pack total(Number sum) {
         return sum_of_halves(sum);
     }
