@@ -4,22 +4,14 @@
 #include <cmath>
 
 namespace wetdeck {
-namespace {
-
-/// Units per metre along a side of the domain, the largest power of two of which 2^32 hold `length`.
-double units_per_metre(double length) {
-    return std::exp2(32 - std::ceil(std::log2(length)));
-}
-
-}  // namespace
 
 MixedFluid::MixedFluid(Box domain, double support_radius) {
     const Vec2 length = domain.high - domain.low + Vec2::Constant(8 * support_radius);
-    fixed_point_.per_metre_x = fixed_point_.per_metre_y = units_per_metre(length.maxCoeff());
+    fixed_point_.per_metre = std::exp2(32 - std::ceil(std::log2(length.maxCoeff())));
     const Vec2 centre = 0.5 * (domain.low + domain.high);
     constexpr std::uint32_t half_period = std::uint32_t{1} << 31;
-    nowhere_.x = FixedPoint::fixed(centre.x(), fixed_point_.per_metre_x) + half_period;
-    nowhere_.y = FixedPoint::fixed(centre.y(), fixed_point_.per_metre_y) + half_period;
+    nowhere_.x = fixed_point_.fixed(centre.x()) + half_period;
+    nowhere_.y = fixed_point_.fixed(centre.y()) + half_period;
 }
 
 void MixedFluid::copy(const FluidState* fluid, std::size_t count, int threads) {

@@ -27,19 +27,23 @@ struct alignas(32) MixedState {
     float density = 1;           ///< [kg/m^3]
 };
 
-/// Units of positions along x and y.
+/// The unit of positions.
 struct FixedPoint {
-    double per_metre_x = 1, per_metre_y = 1;  ///< powers of two
+    double per_metre = 1;  ///< units of a metre, a power of two
 
-    /// `position` in units, modulo 2^32. The product is exact, whether or not the processor adds in the same
-    /// operation: all who convert a position find the same bits.
-    static std::uint32_t fixed(double position, double per_metre) {
+    /// `position` [m] in units, modulo 2^32. The product is exact, whether or not the processor adds in the
+    /// same operation: all who convert a position find the same bits.
+    std::uint32_t fixed(double position) const {
         return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(position * per_metre + unit_mantissa));
     }
     /// The same particle in single precision.
     MixedState operator()(const FluidState& p) const {
-        return {fixed(p.x, per_metre_x),      fixed(p.y, per_metre_y),        static_cast<float>(p.vx),
-                static_cast<float>(p.vy),     static_cast<float>(p.pressure), static_cast<float>(p.volume),
+        return {fixed(p.x),
+                fixed(p.y),
+                static_cast<float>(p.vx),
+                static_cast<float>(p.vy),
+                static_cast<float>(p.pressure),
+                static_cast<float>(p.volume),
                 static_cast<float>(p.density)};
     }
 

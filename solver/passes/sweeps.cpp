@@ -7,23 +7,15 @@
 namespace wetdeck::WETDECK_ISA {
 namespace {
 
-/// What the first two numbers of a state are multiplied by.
-Pack units_of(const FixedPoint& fixed_point) {
-    Pack units = 0.0;
-    units.lanes[0] = fixed_point.per_metre_x;
-    units.lanes[1] = fixed_point.per_metre_y;
-    return units;
-}
-
 /// FixedPoint's conversion, all numbers of a state at once.
-WETDECK_INLINE void copy_row(const FluidState& from, Pack per_metre, MixedState& to) {
+WETDECK_INLINE void copy_row(const FluidState& from, const FixedPoint& fixed_point, MixedState& to) {
     using Words = PackOf<std::uint32_t, pack_width>::Lanes;
     using LongWords = PackOf<std::uint64_t, pack_width>::Lanes;
     static_assert(sizeof(MixedState) == sizeof(Words) && sizeof(FluidState) == sizeof(Pack));
     Pack row;
     std::memcpy(&row.lanes, &from, sizeof row.lanes);
     const auto numbers = __builtin_convertvector(row.lanes, FloatEight::Lanes);
-    const Pack fixed = row * per_metre + FixedPoint::unit_mantissa;
+    const Pack fixed = row * fixed_point.per_metre + FixedPoint::unit_mantissa;
     const Words low = __builtin_convertvector(reinterpret_cast<LongWords>(fixed.lanes), Words);
     const Words all =
         __builtin_shufflevector(low, reinterpret_cast<Words>(numbers), 0, 1, 10, 11, 12, 13, 14, 15);
@@ -32,7 +24,6 @@ WETDECK_INLINE void copy_row(const FluidState& from, Pack per_metre, MixedState&
 
 template <class Power>
 void update_with(FluidState* state, const DensityUpdate& u, Power power) {
-    const Pack per_metre = u.mixed ? units_of(u.mixed->fixed_point()) : Pack(0.0);
     const auto blocks = static_cast<std::int64_t>((u.last - u.first + cluster_width - 1) / cluster_width);
 #pragma omp parallel for schedule(static) num_threads(u.threads)
     for (std::int64_t block = 0; block < blocks; ++block) {
@@ -53,7 +44,7 @@ void update_with(FluidState* state, const DensityUpdate& u, Power power) {
         store_columns(p, state, eight);
         if (!u.mixed) continue;
         for (std::size_t i = eight.first; i < eight.first + eight.count; ++i)
-            copy_row(state[i], per_metre, u.mixed->data()[i]);
+            copy_row(state[i], u.mixed->fixed_point(), u.mixed->data()[i]);
     }
 }
 

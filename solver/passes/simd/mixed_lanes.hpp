@@ -79,7 +79,7 @@ WETDECK_INLINE FixedPack bits_of(FloatEight a) {
     return fixed;
 }
 
-/// In units of positions.
+/// In units of positions, which the sums are brought to metres from.
 WETDECK_INLINE SeparationOf<FloatPack> separation(const MixedLanes& i, FixedPack x, FixedPack y) {
     constexpr float least_squared_distance = 1e-12F;
     const auto units = [](FixedPack difference) -> FloatPack {
@@ -171,7 +171,7 @@ struct InMixed {
     }
 #endif
     static WETDECK_INLINE double unit_of_length(const PassInput& in) {
-        return 1 / in.mixed->fixed_point().per_metre_x;
+        return 1 / in.mixed->fixed_point().per_metre;
     }
     static WETDECK_INLINE Pack total(Number sum) {
         return sum_of_halves(sum);
