@@ -28,8 +28,8 @@ struct AxesKey {
 
     /// Of figures: the aligned ones stand beside those of the same series over time.
     std::string name() const { return quantity + (aligned ? "-aligned" : ""); }
-    std::string title() const {
-        return series_words(quantity) + (aligned ? ", aligned on the peaks" : "") + taken;
+    std::string title(const AnalysisSpec& scene) const {
+        return series_words(scene, quantity) + (aligned ? ", aligned on the peaks" : "") + taken;
     }
 };
 
@@ -204,7 +204,7 @@ Figure comparison_figure(const AnalysisSpec& scene, const AxesKey& key, const Ru
     const RunSummary& finest = *runs.back();
     figure.name = fmt::format("{}-{}-{}", scene.scene, finest.record.variant, key.name());
     figure.identifier = key.quantity;
-    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, key.title());
+    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, key.title(scene));
     Group group;
     std::vector<PlotSeries> simulations;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -247,7 +247,7 @@ std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs)
         Figure figure = curve_figure(scene, key, finest);
         figure.name = fmt::format("{}-variants-{}", scene.scene, key.name());
         figure.identifier = key.quantity;
-        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, key.title());
+        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, key.title(scene));
         Group references;  // the same for all variants
         for (std::size_t v = 0; v < finest.size(); ++v) {
             const Group group = group_of(scene, *finest[v], key);

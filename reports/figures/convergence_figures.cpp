@@ -91,7 +91,7 @@ std::vector<Figure> curve_convergence_figures(const Summary& summary, const Anal
             if (differences.size() < 2) continue;
             PlotSeries s;
             s.style = Style::line_and_points;
-            s.label = series_words(row.series) + ", " + row.verdict;
+            s.label = series_words(scene, row.series) + ", " + row.verdict;
             s.marker = static_cast<Marker>(place / 5 % 4);
             s.colour = variant_colour(place++);
             s.data = {{row.dx.begin() + 1, row.dx.end()}, differences};

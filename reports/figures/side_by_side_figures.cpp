@@ -36,11 +36,11 @@ Figure side_by_side_figure(const AnalysisSpec& scene, const SideBySide& entry, c
         const SeriesCurve series = series_curve(record, entry.series, scaling);
         if (series.curve.x.size() < 2) continue;
         const auto found = record.series.find(entry.series);
-        figure.y = {scaled ? compared->y_label : series_words(entry.series),
+        figure.y = {scaled ? compared->y_label : series_words(scene, entry.series),
                     scaled ? "" : found->second.unit,
                     false,
                     {}};
-        figure.caption = fmt::format("{}: {}.", series_words(entry.series), found->second.description);
+        figure.caption = fmt::format("{}: {}.", series_words(scene, entry.series), found->second.description);
         figure.series.push_back(
             line(fmt::format("{}, dx = {}", record.variant, spacing_text(record.particle_spacing)),
                  series.curve, variant_colour(v)));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -94,7 +95,7 @@ bool others_differ_by_window(const AnalysisSpec& scene, const QuantitySpec& spec
 }
 
 std::string of_quantity(const AnalysisSpec& scene, const QuantitySpec& spec) {
-    std::string out = taken(spec, series_words(spec.series));
+    std::string out = taken(spec, series_words(scene, spec.series));
     if (!spec.reference.empty()) {
         for (const ComparisonSpec& c : scene.comparisons) {
             if (c.reference != spec.reference) continue;
@@ -127,6 +128,18 @@ const ComparisonSpec* find_comparison(const AnalysisSpec& scene, const std::stri
     return found == scene.comparisons.end() ? nullptr : &*found;
 }
 
+/// As inside a sentence; abbreviations stay.
+std::string lower_first(std::string text) {
+    if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])) != 0)
+        text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+/// "gauge pressure" of "Gauge pressure, AUTHOR (YEAR)" and of "Gauge pressure against ...".
+std::string lead_of(const std::string& title) {
+    return lower_first(title.substr(0, std::min(title.find(", "), title.find(" against "))));
+}
+
 /// "kN/m" of "F [kN/m]", else the label.
 std::string unit_in(const std::string& label) {
     const std::size_t open = label.rfind('['), close = label.rfind(']');
@@ -150,18 +163,31 @@ std::string series_words(const std::string& series) {
     return spaced(series);
 }
 
+std::string series_words(const AnalysisSpec& scene, const std::string& series) {
+    const std::string words = series_words(series);
+    if (words != spaced(series)) return words;
+    std::string begin;
+    for (const ComparisonSpec& spec : scene.comparisons) {
+        if (spec.quantity != series) continue;
+        const std::string lead = lead_of(spec.title);
+        if (!begin.empty() && lead != begin) return words;
+        begin = lead;
+    }
+    return begin.empty() ? words : begin;
+}
+
 std::string quantity_words(const AnalysisSpec& scene, const std::string& name) {
     if (const QuantitySpec* spec = find_quantity(scene, name)) return of_quantity(scene, *spec);
     static const std::string curve = "curve of ";
-    if (name.rfind(curve, 0) == 0) return curve + "the " + series_words(name.substr(curve.size()));
+    if (name.rfind(curve, 0) == 0) return curve + "the " + series_words(scene, name.substr(curve.size()));
     const std::size_t colon = name.rfind(": ");
     if (colon == std::string::npos) return spaced(name);
     const std::string of = name.substr(0, colon), feature = name.substr(colon + 2);
     if (const std::size_t against = feature.find(" against "); against != std::string::npos)
-        return feature.substr(0, against) + " of the " + series_words(of);
+        return feature.substr(0, against) + " of the " + series_words(scene, of);
     const std::size_t comma = of.rfind(", ");  // a title that ends with the name of its reference
     const bool named = comma != std::string::npos && of.find('_', comma) != std::string::npos;
-    return feature + " of: " + (named ? of.substr(0, comma) : of);
+    return feature + " of the " + lower_first(named ? of.substr(0, comma) : of);
 }
 
 AnalysisSpec scene_named(const Summary& summary, const std::string& name) {

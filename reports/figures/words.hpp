@@ -13,6 +13,10 @@ namespace wetdeck::report {
 /// underscores.
 std::string series_words(const std::string& series);
 
+/// The same; a series of the scene's own has the words with which the titles of its comparisons begin, if all
+/// begin alike: "pressure at 0.19 h_w" of "Pressure at 0.19 h_w, AUTHOR (YEAR)".
+std::string series_words(const AnalysisSpec& scene, const std::string& series);
+
 /// "largest vertical force, filtered" for a quantity of the scene, made from its metric, its series and,
 /// where others differ by these alone, its window. Also for the values that are taken from a comparison of
 /// curves, "SERIES: peak against REFERENCE" and "TITLE: mean", without the reference.

@@ -66,7 +66,7 @@ void Page::add_figures(const std::vector<Figure>& figures) {
 }
 
 std::string Page::markup() const {
-    const bool listed = sections_ > 3;
+    const bool listed = sections_ > 3 && this != &pages_.pages_.front();
     std::string out = fmt::format("<div class=\"page{}\" id=\"page-{}\">\n", listed ? " listed" : "", name_);
     if (listed) out += "<nav class=\"contents\" aria-label=\"Contents\">\n" + contents_ + "</nav>\n";
     return out + "<article>\n<h1>" + escape(title_) + "</h1>\n" + body_ + "</article>\n</div>\n";

@@ -101,7 +101,7 @@ std::string help_wanted(const Summary& summary, const Addresses& pages) {
         std::string where;
         for (const auto& [scene, count] : scenes[help])
             where += fmt::format("{}{} {}", where.empty() ? "" : ", ", link(pages, summary, scene), count);
-        out += item(fmt::format("{} {} would help most: <b>{}</b> ({}).", -values,
+        out += item(fmt::format("{} {} <b>{}</b> would help most ({}).", -values,
                                 values == -1 ? "value has no decision yet;" : "values have no decision yet;",
                                 escape(help), where));
     }

@@ -80,6 +80,7 @@ void take(Outcome& out, const AnalysisSpec& scene, const ValidationRow& row) {
     out.kind = kind_words(row.kind);
     out.verdict = verdict_words(scene, row);
     out.tone = tone_of(row);
+    if (out.tone == Tone::open && what_would_help(row) != "—") out.open = "needs " + what_would_help(row);
     out.series = series_of(scene, row);
     out.against = row.against;
     out.curve = curve_of(*out.run, out.series, row.against);
@@ -107,10 +108,11 @@ void take(Outcome& out, const AnalysisSpec& scene, const QuantityResult& q) {
     out.curve = curve_of(*out.run, out.series, "");
 }
 
-void take(Outcome& out, const ComparisonResult& c) {
+void take(Outcome& out, const AnalysisSpec& scene, const ComparisonResult& c) {
     out.quantity = c.quantity;
     out.series = c.quantity;
-    out.words = "rms difference of the " + series_words(c.quantity) + ", over the range of the reference";
+    out.words =
+        "rms difference of the " + series_words(scene, c.quantity) + ", over the range of the reference";
     out.expected = 0;
     out.tolerance = c.tolerance;
     out.reached = c.nrmse;
@@ -138,7 +140,7 @@ void evaluate(Outcome& out, const Summary& summary, const AnalysisSpec& scene) {
     row = main_row(scene, rows, "");
     if (row != nullptr) return take(out, scene, *row);
     for (const ComparisonResult& c : run.comparisons)
-        if (verdict_of(c) && c.nrmse) return take(out, c);
+        if (verdict_of(c) && c.nrmse) return take(out, scene, c);
     if (result == nullptr && !run.quantities.empty()) result = &run.quantities.front();
     if (result != nullptr) return take(out, scene, *result);
     out.verdict = "nothing evaluated";

@@ -21,6 +21,7 @@ struct Outcome {
     std::string unit = "-";
     std::string kind, against;  ///< of the expected value; who says so
     std::string verdict;
+    std::string open;  ///< what an open verdict needs
     Tone tone = Tone::open;
     const RunSummary* run = nullptr;          ///< null where the directory holds none
     const ComparisonResult* curve = nullptr;  ///< of the quantity's series; null without one

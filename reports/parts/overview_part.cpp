@@ -39,20 +39,26 @@ Cell expected_cell(const Outcome& outcome) {
                               escape(outcome.against), escape(outcome.kind)));
 }
 
+Cell verdict_cell(const Outcome& outcome) {
+    std::string out = badge(outcome.verdict, outcome.tone);
+    if (!outcome.open.empty()) out += "<br><span class=\"soft\">" + escape(outcome.open) + "</span>";
+    return markup(out);
+}
+
 std::string outcomes_table(const Summary& summary, const Addresses& pages) {
     Table table({"scene", "main quantity", "expected", "reached", "unit", "verdict", "core-seconds", "curve"},
                 "compact stacked outcomes");
     for (const Outcome& o : outcomes_of(summary)) {
         table.add({scene_cell(o, pages), named(o.words.empty() ? "—" : o.words, o.quantity), expected_cell(o),
-                   value(o.reached), text(o.unit == "-" ? "—" : o.unit), markup(badge(o.verdict, o.tone)),
+                   value(o.reached), text(o.unit == "-" ? "—" : o.unit), verdict_cell(o),
                    o.run == nullptr ? text("—") : value(o.run->record.cost.core_s),
                    markup(thumbnail(outcome_figure(o)))});
     }
     return table.html() +
            paragraph(
                "The default variant of each scene at its finest spacing, and the cost of that run. Curve: "
-               "simulation blue, reference black. A verdict holds with 95 % confidence: `refine first` and "
-               "`within the uncertainty` show no error.",
+               "simulation blue, reference black. A verdict holds with 95 % confidence: \"refine first\" and "
+               "\"within the uncertainty\" show no error.",
                "soft");
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "reports/figures/figures.hpp"
+#include "reports/figures/words.hpp"
 #include "reports/page/player.hpp"
+#include "reports/parts/outcomes.hpp"
 #include "reports/parts/parts.hpp"
 #include "reports/parts/tables.hpp"
 
@@ -57,6 +59,10 @@ void add_set_up(Page& page, const AnalysisSpec& scene, const ReportInputs& input
         page.add(fmt::format("<img class=\"sketch\" alt=\"Set-up of the scene\" src=\"{}\">\n",
                              data_address("image/svg+xml", sketch->second)));
     }
+}
+
+/// How the set-up and the schemes differ from those of the source.
+void add_differences(Page& page, const AnalysisSpec& scene, const ReportInputs& inputs) {
     const auto schemes = inputs.schemes.find(scene.scene);
     if (schemes != inputs.schemes.end() && !schemes->second.empty()) {
         page.section(2, "Schemes against that of the source", scene.scene);
@@ -67,6 +73,24 @@ void add_set_up(Page& page, const AnalysisSpec& scene, const ReportInputs& input
     }
     page.section(2, "Deviations from the source", scene.scene);
     page.add(scene.deviations.empty() ? paragraph("None stated.", "soft") : deviations_table(scene));
+}
+
+/// The main quantity of the scene in one sentence.
+std::string outcome_sentence(const Summary& summary, const AnalysisSpec& scene) {
+    for (const Outcome& o : outcomes_of(summary)) {
+        if (o.scene != scene.scene || o.run == nullptr) continue;
+        std::string html = fmt::format("<p class=\"lead\">{} {}", badge(o.verdict, o.tone),
+                                       named_words(o.words, o.quantity));
+        if (o.reached) html += ": " + escape(number_with_unit(o.reached, o.unit));
+        if (o.expected)
+            html += escape(fmt::format(" against {} ({})", number_with_unit(o.expected, o.unit), o.kind));
+        const RunRecord& record = o.run->record;
+        return html +
+               escape(fmt::format("; {}, {}, {} core-seconds.", record.variant,
+                                  spacing_text(record.particle_spacing), number(record.cost.core_s))) +
+               "</p>\n";
+    }
+    return "";
 }
 
 void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {
@@ -116,10 +140,11 @@ void add_provenance(Page& page, const AnalysisSpec& scene, const Runs& runs) {
 void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scene,
                     const ReportInputs& inputs) {
     const Runs runs = runs_of(summary, scene);
-    page.add(notice_list(summary, scene));
+    page.add(outcome_sentence(summary, scene) + notice_list(summary, scene));
     add_set_up(page, scene, inputs);
     if (runs.empty()) {
         page.add(paragraph("This directory holds no run of this scene.", "notice"));
+        add_differences(page, scene, inputs);
         return;
     }
     add_failures(page, scene, runs);
@@ -178,6 +203,7 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
     add_pictures(page, runs, inputs);
     add_side_by_side_part(page, scene, runs, inputs);
 
+    add_differences(page, scene, inputs);
     page.section(2, "Limits of validity", scene.scene);
     std::string limits;
     for (const std::string& limit : scene.limits) limits += "<li>" + escape(limit) + "</li>\n";

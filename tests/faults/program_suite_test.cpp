@@ -49,7 +49,7 @@ TEST_CASE("a suite runs every row, and its report can be made again to the same 
     const Outcome outcome = run_program(suite(put_scene(folder), folder));
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.code == 0);
-    const auto page = [&] { return samples::bytes_of(folder / "out/index.html"); };
+    const auto page = [&] { return samples::report_in(folder / "out"); };
     const auto summary = [&] { return samples::bytes_of(folder / "out/summary.json"); };
     const std::string first_page = page(), first_summary = summary();
     REQUIRE(first_page.size() > 1000);
