@@ -97,7 +97,7 @@ void take(Outcome& out, const AnalysisSpec& scene, const QuantityResult& q) {
     out.tolerance = q.tolerance;
     out.reached = q.value;
     out.against = q.expected_source;
-    if (q.expected) out.kind = spec == nullptr ? "" : kind_words(spec->expected_kind);
+    if (q.expected) out.kind = kind_words(spec == nullptr ? std::nullopt : spec->expected_kind);
     out.verdict = !q.expected ? "no value to compare with"
                   : !q.value  ? "not reached"
                   : !q.within ? "not judged"
