@@ -157,7 +157,15 @@ TEST_CASE("What is published is small, dated by its revision, and replaced whole
     samples::put_bytes(target / "single-runs/notes.md", "mine");
     publish(summary, folder, target);
     const auto files = files_below(target);
-    CHECK(contains(files.at("single-runs/README.md"), "revision abc1234"));
+    const std::string& readme = files.at("single-runs/README.md");
+    CHECK(contains(readme, "revision abc1234"));
+    CHECK(contains(readme, "## What was reached"));
+    CHECK(contains(readme, "`index.html`, one page a scene and `statistics.html`"));
+    for (const auto& [name, bytes] : files) {
+        INFO(name);
+        CHECK(bytes.size() < 100000);
+        CHECK(fs::path(name).extension() != ".html");
+    }
     CHECK(contains(files.at("single-runs/runs.csv"), "small,two-phase,0.01,ok"));
     CHECK(files.count("single-runs/small-speed-error.csv") == 1);
     CHECK(files.count("single-runs/suite-scatter-position.csv") == 1);
