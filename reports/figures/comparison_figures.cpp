@@ -118,10 +118,10 @@ PlotSeries reference_series(const ComparisonResult& c, std::size_t place) {
     return s;
 }
 
-void add_spread(PlotSeries& s, double relative) {
+void add_spread(PlotSeries& s, const StandardUncertainty& uncertainty) {
     for (const double value : s.data.y) {
-        s.low.push_back(value - relative * std::abs(value));
-        s.high.push_back(value + relative * std::abs(value));
+        s.low.push_back(value - uncertainty.of(value));
+        s.high.push_back(value + uncertainty.of(value));
     }
 }
 

@@ -113,7 +113,13 @@ std::string doubts(const Summary& summary, const Addresses& pages) {
     std::string out;
     for (const Outcome& outcome : outcomes_of(summary)) {
         if (outcome.run == nullptr || outcome.run->record.status != RunStatus::ok) continue;
-        const std::vector<std::string> flags = flow_flags(outcome.run->record);
+        std::vector<std::string> flags = flow_flags(outcome.run->record);
+        if (const auto note =
+                compression_note(outcome.run->record)) {  // says more than the flag of a larger change
+            std::erase_if(flags,
+                          [](const std::string& flag) { return flag.rfind("the water's density", 0) == 0; });
+            flags.insert(flags.begin(), *note);
+        }
         if (!flags.empty())
             out += item(fmt::format("<b>{}</b>: {}.", link(pages, summary, outcome.scene),
                                     escape(fmt::format("{}", fmt::join(flags, "; ")))));

@@ -11,6 +11,7 @@
 #include "reports/parts/outcomes.hpp"
 #include "reports/parts/parts.hpp"
 #include "reports/parts/tables.hpp"
+#include "validation/metrics/flow_flags.hpp"
 
 namespace wetdeck::report {
 namespace {
@@ -42,6 +43,9 @@ Cell expected_cell(const Outcome& outcome) {
 Cell verdict_cell(const Outcome& outcome) {
     std::string out = badge(outcome.verdict, outcome.tone);
     if (!outcome.open.empty()) out += "<br><span class=\"soft\">" + escape(outcome.open) + "</span>";
+    if (outcome.run == nullptr) return markup(out);
+    if (const auto note = compression_note(outcome.run->record))
+        out += fmt::format("<br><span class=\"badge warn\" title=\"{}\">compressed</span>", escape(*note));
     return markup(out);
 }
 
@@ -156,14 +160,12 @@ std::string drawing_notice(const Pages& page) {
                      "notice");
 }
 
-/// What a reader must know where runs of different set-ups or schemes lie in one directory.
+/// What a reader must know where runs of different schemes or set-ups lie in one directory.
 std::string mixture_notice(const Summary& summary) {
     std::set<std::string> revisions;
-    std::size_t others = 0;
     for (const RunSummary& run : summary.runs) {
         const auto found = run.record.parameters.find("scheme_revision");
         revisions.insert(found == run.record.parameters.end() ? "unknown" : number(found->second));
-        others += run.other_setup ? 1 : 0;
     }
     std::string out;
     if (revisions.size() > 1)
@@ -171,13 +173,23 @@ std::string mixture_notice(const Summary& summary) {
             paragraph(fmt::format("The runs were made with different revisions of the numerical scheme ({}).",
                                   fmt::join(revisions, ", ")),
                       "notice");
-    if (others > 0)
-        out +=
-            paragraph(fmt::format("{} of the runs have another set-up or scheme than the latest run of their "
-                                  "variant. They are shown, and nothing is computed from both.",
-                                  others),
-                      "notice");
-    return out;
+    std::string left_out;
+    for (const LeftOutRun& run : summary.left_out)
+        left_out +=
+            "<li>" +
+            escape(fmt::format("{} is left out: {}", run.directory, fmt::join(run.differences, "; "))) +
+            "</li>\n";
+    if (left_out.empty()) return out;
+    constexpr std::size_t most = 6;  // more would push the results off the first screen
+    const std::string list = "<ul>\n" + left_out + "</ul>\n";
+    return out + "<div class=\"notice\">" +
+           paragraph(
+               "A report holds one set-up of each variant. Runs of another set-up than the latest of their "
+               "scene are not shown; make a report of them in a folder of their own.") +
+           (summary.left_out.size() > most
+                ? details(fmt::format("{} runs are left out", summary.left_out.size()), list)
+                : list) +
+           "</div>\n";
 }
 
 /// What a reader must know before the first number.

@@ -131,7 +131,8 @@ std::optional<bool> verdict_of(const ComparisonResult& comparison) {
 }
 
 std::string uncertainty_text(const ComparisonResult& c) {
-    if (c.reference_uncertainty) return fmt::format("{} %", number(100 * *c.reference_uncertainty));
+    if (const auto& u = c.reference_uncertainty)
+        return u->relative() ? fmt::format("{} %", number(100 * u->value)) : number(u->value);
     return c.kind && describe(*c.kind).exact ? "none" : "unknown";
 }
 

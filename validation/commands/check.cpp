@@ -87,10 +87,15 @@ Finding check_scene(const std::string& file) {
 Finding check_curve(const std::string& file) {
     const Reference reference = load_reference(file);
     const std::size_t columns = reference.columns.size();
-    return {fmt::format("{} reference, {} columns", name_of(reference.kind), columns),
-            {},
-            {},
-            {{"kind", name_of(reference.kind)}, {"columns", columns}}};
+    const std::vector<std::string> missing = missing_recommended_keys(reference);
+    Finding found{fmt::format("{} reference, {} columns", name_of(reference.kind), columns),
+                  {},
+                  {},
+                  {{"kind", name_of(reference.kind)}, {"columns", columns}, {"missing_keys", missing}}};
+    if (!missing.empty())
+        found.notes.push_back(
+            fmt::format("recommended keys that its header lacks: {}", fmt::join(missing, ", ")));
+    return found;
 }
 
 /// Why the corners are no outline, of a whole section or of half of a mirrored one; empty if they are.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `wetdeck describe`: the set-up, references and cost of one scene, or the keys of the model.
+// `wetdeck describe`: the set-up, references and cost of one scene, or the keys of a scene file.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,8 +15,8 @@
 #include "validation/run/exit_code.hpp"
 #include "validation/run/progress.hpp"
 #include "validation/scene/identity.hpp"
-#include "validation/scene/model_keys.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/scene/scene_keys.hpp"
 #include "validation/scene/scheme_differences.hpp"
 
 namespace wetdeck {
@@ -205,31 +205,19 @@ void print_costs(const json& all) {
                    number(cost["steps"]), duration_text(number(cost["core_s"])));
 }
 
-/// The value of a key where a scene does not give it; nothing for a key that every scene gives.
-std::string default_of(const ModelKey& row) {
-    if (row.table == "water" || row.table == "air") return "";
-    return row.default_note.empty() ? toml_text(row.get(Scene{})) : row.default_note;
-}
-
 json keys_json() {
     json all = json::array();
-    for (const ModelKey& row : model_keys())
-        all.push_back({{"key", row.dotted()},
-                       {"unit", row.unit},
-                       {"default", default_of(row)},
-                       {"expected", row.expected()},
-                       {"meaning", row.meaning},
-                       {"equation", row.equation}});
+    for (const SceneKeySection& section : scene_keys())
+        for (const SceneKey& key : section.keys)
+            all.push_back({{"key", key.key},
+                           {"section", section.title},
+                           {"unit", key.unit},
+                           {"default", key.fallback},
+                           {"range", key.range},
+                           {"meaning", key.meaning},
+                           {"choice", key.choice},
+                           {"equation", key.equation}});
     return all;
-}
-
-/// The keys of the model as a table in Markdown: docs/keys.md holds the same lines.
-void print_keys() {
-    fmt::print(
-        "| key | default | unit | expected | meaning | Yang et al. (2020) |\n|---|---|---|---|---|---|\n");
-    for (const ModelKey& row : model_keys())
-        fmt::print("| `{}` | {} | {} | {} | {} | {} |\n", row.dotted(), default_of(row), row.unit,
-                   row.expected(), row.meaning, row.equation);
 }
 
 struct DescribeOptions {
@@ -243,7 +231,7 @@ int describe(const DescribeOptions& options) {
         if (options.json)
             fmt::print("{}\n", keys_json().dump(1));
         else
-            print_keys();
+            fmt::print("{}", scene_keys_markdown());
         return exit_done;
     }
     if (options.scene.empty()) throw InputError("describe: expected a scene, or --keys");
@@ -272,8 +260,9 @@ void add_describe(CLI::App& app, int& exit_code) {
         ->type_name("");
     command.add_option("--variant", options->variant, "variant of the scene (default: that of the scene)")
         ->type_name("VARIANT");
-    command.add_flag("--keys", options->keys,
-                     "instead: every key of the model with default, range and meaning");
+    command.add_flag(
+        "--keys", options->keys,
+        "instead: every key of a scene file with unit, default, range, meaning and how to choose it");
     add_json(command, options->json);
     command.callback([options, &exit_code] { exit_code = describe(*options); });
 }

@@ -2,6 +2,7 @@
 #include "validation/commands/pictures.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,12 +64,8 @@ bool with_air(const RunRecord& record) {
     return air != record.provenance.end() && air->second == "yes";
 }
 
-/// The whole tank. The colours reach the pressure of the impact of a body, else the slam would have one
-/// colour.
+/// The whole tank; its colours are those of the pictures' own data (scale_to).
 RasterOptions raster_of(const Scene& scene, const RunRecord& record) {
-    const double head = std::abs(scene.model.gravity.y()) * scene.initial.surface;  // [m^2/s^2]
-    double fastest = 0;
-    for (const BodySpec& spec : scene.bodies) fastest = std::max(fastest, spec.body.velocity.norm());
     RasterOptions options;
     options.width = 600;
     options.x_min = scene.tank.low.x();
@@ -76,35 +73,95 @@ RasterOptions raster_of(const Scene& scene, const RunRecord& record) {
     options.y_min = scene.tank.low.y();
     options.y_max = scene.tank.high.y();
     options.particle_radius = 0.75 * record.particle_spacing;
-    options.water_max = scene.model.water.eos.reference_density * (head + fastest * fastest);
-    if (!(options.water_max > 0)) {  // without gravity and bodies: what one percent of compression gives
-        const TaitEquationOfState& water = scene.model.water.eos;
-        options.water_max = 0.01 * water.reference_density * water.sound_speed * water.sound_speed;
-    }
-    if (with_air(record))
-        options.air_speed_max = std::max(4 * std::sqrt(head), 0.01 * scene.model.air.eos.sound_speed);
     return options;
 }
 
-std::vector<report::ColourBar> colour_bars(const RasterOptions& options) {
+/// Values of the particles of one phase, over all frames.
+struct Shown {
+    std::vector<double> water_pressure, air_speed;
+
+    void add(const FieldFrame& frame) {
+        for (std::size_t i = 0; i < frame.phase.size(); ++i) {
+            if (frame.phase[i] == 0) water_pressure.push_back(frame.pressure[i]);
+            if (frame.phase[i] == 1) air_speed.push_back(std::hypot(frame.vx[i], frame.vy[i]));
+        }
+    }
+};
+
+/// A colour range that all but one particle in five hundred lie in, from zero on. A few particles, whose
+/// pressure is noise, would take all colours else; how much lies beyond is said.
+struct ColourRange {
+    double end = 0;
+    std::string clipped;  ///< empty: nothing is
+};
+
+ColourRange range_of(std::vector<double> values, const char* unit) {
+    constexpr double shown_share = 0.998;
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    if (values.empty()) return {1, ""};
+    const auto place = static_cast<std::size_t>(shown_share * static_cast<double>(values.size() - 1));
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(place);
+    std::nth_element(values.begin(), end, values.end());
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const ColourRange range{*end > 0 ? *end : std::max(*high, 1.0), ""};
+    const auto share = [&values](auto beyond) {
+        return 100.0 * static_cast<double>(std::count_if(values.begin(), values.end(), beyond)) /
+               static_cast<double>(values.size());
+    };
+    const double above = share([&](double value) { return value > range.end; });
+    const double below = share([](double value) { return value < 0; });
+    std::vector<std::string> parts;
+    if (above > 0) parts.push_back(fmt::format("{:.1g} % above, up to {:.3g} {}", above, *high, unit));
+    if (below > 0) parts.push_back(fmt::format("{:.1g} % below, down to {:.3g} {}", below, *low, unit));
+    return {range.end, fmt::format("{}", fmt::join(parts, "; "))};
+}
+
+std::string label_of(const char* what, const ColourRange& range) {
+    return range.clipped.empty() ? what : fmt::format("{} (beyond the colours: {})", what, range.clipped);
+}
+
+/// One frame to draw.
+struct Shot {
+    const Scene& scene;
+    const RunRecord& record;
+    FrameEntry entry;
+};
+
+std::vector<report::ColourBar> colour_bars(const ColourRange& water, const std::optional<ColourRange>& air) {
     std::vector<report::ColourBar> bars{
-        {"gauge pressure in the water", "Pa", 0, options.water_max, colours(water_colour)}};
-    if (options.air_speed_max)
-        bars.push_back({"speed of the air", "m/s", 0, *options.air_speed_max, colours(air_colour)});
+        {label_of("gauge pressure in the water", water), "Pa", 0, water.end, colours(water_colour)}};
+    if (air) bars.push_back({label_of("speed of the air", *air), "m/s", 0, air->end, colours(air_colour)});
     return bars;
 }
 
-report::Picture picture_of(const Scene& scene, const RunRecord& record, const FrameEntry& frame) {
-    const RasterOptions options = raster_of(scene, record);
-    report::Picture picture;
-    picture.title =
-        fmt::format("{}, {}, dx {:.4g} m", scene.analysis.title, record.variant, record.particle_spacing);
-    picture.time = frame.time;
-    if (const std::optional<double> scale = time_scale(scene.analysis))
-        picture.scaled_time = frame.time / *scale;
-    picture.png = render_png(read_frame(frame.path), options);
-    picture.colour_bars = colour_bars(options);
-    return picture;
+/// Pictures with the same colours.
+std::vector<report::Picture> pictures_of(const std::vector<Shot>& shots) {
+    std::vector<FieldFrame> frames;
+    Shown shown;
+    for (const Shot& shot : shots) {
+        frames.push_back(read_frame(shot.entry.path));
+        shown.add(frames.back());
+    }
+    const ColourRange water = range_of(std::move(shown.water_pressure), "Pa");
+    std::optional<ColourRange> air;
+    if (!shown.air_speed.empty()) air = range_of(std::move(shown.air_speed), "m/s");
+    std::vector<report::Picture> pictures;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        const auto& [scene, record, entry] = shots[k];
+        RasterOptions options = raster_of(scene, record);
+        options.water_max = water.end;
+        if (air && with_air(record)) options.air_speed_max = air->end;
+        report::Picture picture;
+        picture.title =
+            fmt::format("{}, {}, dx {:.4g} m", scene.analysis.title, record.variant, record.particle_spacing);
+        picture.time = entry.time;
+        if (const std::optional<double> scale = time_scale(scene.analysis))
+            picture.scaled_time = entry.time / *scale;
+        picture.png = render_png(frames[k], options);
+        picture.colour_bars = colour_bars(water, options.air_speed_max ? air : std::nullopt);
+        pictures.push_back(std::move(picture));
+    }
+    return pictures;
 }
 
 /// The value of a series that was taken with the field file of that time.
@@ -131,23 +188,25 @@ std::string defects_at(const RunRecord& record, double time) {
 
 }  // namespace
 
-std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
-                                            const std::filesystem::path& run_directory) {
-    const std::vector<FrameEntry> frames = list_frames(run_directory);
-    std::vector<report::Picture> pictures;
-    for (const FrameEntry* frame : frames_found(scene, record, frames))
-        pictures.push_back(picture_of(scene, record, *frame));
-    return pictures;
+std::vector<report::Picture> field_pictures(const PictureSource& run) {
+    const std::vector<FrameEntry> frames = list_frames(run.directory);
+    std::vector<Shot> shots;
+    for (const FrameEntry* frame : frames_found(run.scene, run.record, frames))
+        shots.push_back({run.scene, run.record, *frame});
+    return pictures_of(shots);
 }
 
-std::optional<report::Picture> field_picture_at(const Scene& scene, const RunRecord& record,
-                                                const std::filesystem::path& run_directory, double time) {
-    const std::vector<FrameEntry> frames = list_frames(run_directory);
-    const FrameEntry* frame = frame_near(scene, frames, time);
-    if (!frame) return std::nullopt;
-    report::Picture picture = picture_of(scene, record, *frame);
-    picture.title += defects_at(record, frame->time);
-    return picture;
+std::vector<report::Picture> field_pictures_at(const std::vector<PictureSource>& runs, double time) {
+    std::vector<Shot> shots;
+    for (const PictureSource& run : runs) {
+        const std::vector<FrameEntry> frames = list_frames(run.directory);
+        if (const FrameEntry* frame = frame_near(run.scene, frames, time))
+            shots.push_back({run.scene, run.record, *frame});
+    }
+    std::vector<report::Picture> pictures = pictures_of(shots);
+    for (std::size_t k = 0; k < shots.size(); ++k)
+        pictures[k].title += defects_at(shots[k].record, shots[k].entry.time);
+    return pictures;
 }
 
 }  // namespace wetdeck

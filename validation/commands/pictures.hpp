@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,15 +12,21 @@
 
 namespace wetdeck {
 
+/// A run with its scene, and where its field files lie.
+struct PictureSource {
+    const Scene& scene;
+    const RunRecord& record;
+    std::filesystem::path directory;
+};
+
 /// The frames nearest to the scene's picture times (frames further away than 2 % of the run are left out),
 /// and of the default variant also frames at equal intervals. Colours: pressure of the water, speed of the
-/// air.
-std::vector<report::Picture> field_pictures(const Scene& scene, const RunRecord& record,
-                                            const std::filesystem::path& run_directory);
+/// air, each from zero to what all but a few particles of these frames have; how many lie beyond is said in
+/// the label of the colour bar.
+std::vector<report::Picture> field_pictures(const PictureSource& run);
 
-/// The frame nearest to `time` [s], with the voids, mixed particles and penetration recorded with it in the
-/// title; empty if none is within 2 % of the run.
-std::optional<report::Picture> field_picture_at(const Scene& scene, const RunRecord& record,
-                                                const std::filesystem::path& run_directory, double time);
+/// Of each run the frame nearest to `time` [s], all with the same colours, with the voids, mixed particles
+/// and penetration recorded with it in the title; none for a run that has no frame within 2 % of its time.
+std::vector<report::Picture> field_pictures_at(const std::vector<PictureSource>& runs, double time);
 
 }  // namespace wetdeck

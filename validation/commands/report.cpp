@@ -36,6 +36,8 @@ int print_verdict(const Summary& summary, const std::filesystem::path& directory
     std::fflush(stdout);
     for (const RunDoubt& doubt : summary.doubts)
         fmt::print(stderr, "doubt: {} {} dx {}: {}\n", doubt.scene, doubt.variant, doubt.dx, doubt.sentence);
+    for (const LeftOutRun& run : summary.left_out)
+        fmt::print(stderr, "left out: {}: {}\n", run.directory, fmt::join(run.differences, "; "));
     const std::vector<std::string> outside = outside_tolerance(summary);
     if (outside.empty()) return exit_done;
     constexpr std::size_t most = 3;

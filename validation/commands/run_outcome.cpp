@@ -42,6 +42,7 @@ void print_text(const RunRecord& record, const fs::path& directory, const Verbos
                to_string(record.status), record.stop_reason.empty() ? "" : " " + record.stop_reason);
     for (const std::string& flag : flow_flags(record)) fmt::print(stderr, "doubt: {}\n", flag);
     if (verbosity.quiet) return;
+    if (const auto note = compression_note(record)) fmt::print("  note: {}\n", *note);
     fmt::print(
         "  {} fluid particles, {} steps in {:.2f} s: {:.2f} M particle-steps/s, {:.0f} bytes per particle\n",
         record.fluid_particles, cost.steps, cost.wall_s, cost.particle_steps / cost.wall_s / 1e6,

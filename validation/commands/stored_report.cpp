@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <list>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -21,6 +22,7 @@
 #include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/summary_json.hpp"
 #include "validation/metrics/verification_json.hpp"
+#include "validation/scene/one_setup.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/scene/scheme_differences.hpp"
 #include "validation/store/atomic_write.hpp"
@@ -188,13 +190,14 @@ void add_side_by_side(const AnalysisSpec& spec, const Summary& summary, const fs
                       report::ReportInputs& inputs) {
     for (const SideBySide& entry : spec.side_by_side) {
         if (!entry.time) continue;
-        std::vector<report::Picture>& pictures = inputs.side_by_side[{spec.scene, entry.title}];
+        std::list<Scene> scenes;  // which the sources refer to
+        std::vector<PictureSource> runs;
         for (const RunSummary* run : report::side_by_side_runs(report::runs_of(summary, spec), entry)) {
             const RunRecord& r = run->record;
-            const Scene scene = parse_scene(r.scene_text, r.scene_path, r.variant);
-            if (auto picture = field_picture_at(scene, r, directory / run->directory, *entry.time))
-                pictures.push_back(std::move(*picture));
+            scenes.push_back(parse_scene(r.scene_text, r.scene_path, r.variant));
+            runs.push_back({scenes.back(), r, directory / run->directory});
         }
+        inputs.side_by_side[{spec.scene, entry.title}] = field_pictures_at(runs, *entry.time);
     }
 }
 
@@ -209,12 +212,14 @@ void write_suite_plan(const fs::path& directory, const std::string& tier,
 
 Summary analyse_directory(const fs::path& directory) {
     StoredRuns stored = read_runs(directory);
+    std::vector<LeftOutRun> left_out = leave_out_other_setups(stored.runs, stored.varied);
     std::set<std::string> present;
     for (const RunSummary& run : stored.runs) present.insert(run.directory);
     for (const SensitivityRun& varied : stored.varied) present.insert(varied.run.directory);
     const std::vector<AnalysisSpec> specifications = specifications_of(stored.runs);
     Summary summary =
         analyse(specifications, std::move(stored.runs), reference_directory(), std::move(stored.varied));
+    summary.left_out = std::move(left_out);
     read_suite_plan(directory, present, summary);
     summary.ablation = read_ablation(directory);
     summary.stress = read_stress(directory);
@@ -248,7 +253,7 @@ Summary make_report(const fs::path& directory, bool single_file) {
     }
     for (const RunSummary* run : finest_runs(summary)) {
         inputs.pictures[run->directory] =
-            field_pictures(scenes.at(run->record.scene), run->record, directory / run->directory);
+            field_pictures({scenes.at(run->record.scene), run->record, directory / run->directory});
     }
     for (const AnalysisSpec& spec : report::scenes_of(summary))
         add_side_by_side(spec, summary, directory, inputs);

@@ -98,7 +98,8 @@ pid_t start(const SuiteRow& row, const RowOptions& options) {
 int judge(const SuiteRow& row, int status) {
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : exit_environment;
     if (code == exit_unstable) {
-        fmt::print("  {}: became unstable, see run.log in {}\n", row_name(row), row.directory.string());
+        fmt::print("  {}: became unstable{}, see run.log in {}\n", row_name(row),
+                   row.expected_unstable ? " as expected" : "", row.directory.string());
         return row.expected_unstable ? 0 : exit_unstable;
     }
     if (code != 0)

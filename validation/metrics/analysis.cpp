@@ -50,34 +50,6 @@ void add_doubts(const AnalysisSpec& spec, const RunRecord& record, std::vector<R
         for (const std::string& sentence : flow_flags(record)) add(RunDoubt::About::flow, sentence);
 }
 
-/// Identity of the set-up by scene and variant: that of the run that was started last.
-std::map<std::pair<std::string, std::string>, std::string> current_setups(
-    const std::vector<RunSummary>& runs) {
-    std::map<std::pair<std::string, std::string>, const RunRecord*> latest;
-    for (const RunSummary& run : runs) {
-        const RunRecord*& found = latest[{run.record.scene, run.record.variant}];
-        if (!found || provenance_entry(run.record, "start_time") > provenance_entry(*found, "start_time"))
-            found = &run.record;
-    }
-    std::map<std::pair<std::string, std::string>, std::string> setups;
-    for (const auto& [key, record] : latest) setups[key] = provenance_entry(*record, "setup_identity");
-    return setups;
-}
-
-/// Marks the runs, and drops the runs of the sensitivity study, whose set-up is another one than that of the
-/// latest run of their variant: nothing is computed from both.
-void keep_setups_apart(std::vector<RunSummary>& runs, std::vector<SensitivityRun>& varied) {
-    const auto setups = current_setups(runs);
-    for (RunSummary& run : runs)
-        run.other_setup = provenance_entry(run.record, "setup_identity") !=
-                          setups.at({run.record.scene, run.record.variant});
-    std::erase_if(varied, [&](const SensitivityRun& one) {
-        const RunRecord& record = one.run.record;
-        const auto found = setups.find({record.scene, record.variant});
-        return found != setups.end() && provenance_entry(record, "base_setup_identity") != found->second;
-    });
-}
-
 /// One row per variant and quantity that at least one sound run has a value for.
 void add_convergence(const AnalysisSpec& spec, Summary& summary) {
     using Values = std::map<double, double>;  // by spacing, so that a spacing counts once
@@ -168,7 +140,6 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
     Summary summary;
     summary.scenes = merged(scenes);
     summary.runs = std::move(runs);
-    keep_setups_apart(summary.runs, sensitivity_runs);
     for (RunSummary& run : summary.runs) {
         run.energy_error = energy_error(run.record);
         run.momentum_error = momentum_error(run.record);

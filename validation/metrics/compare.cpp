@@ -98,8 +98,8 @@ void take_reference(ComparisonResult& result, const ComparisonSpec& spec, Refere
     result.measured = std::move(found.curve);
     result.kind = found.reference->kind;
     result.citation = found.reference->citation;
-    result.reference_uncertainty = found.reference->u_data;
-    result.assumed_uncertainty = found.reference->u_data_assumed;
+    result.reference_uncertainty = found.u_data;
+    result.assumed_uncertainty = found.u_data_assumed;
     if (const auto reason = found.reference->keys.find("u_data_assumed_reason");
         reason != found.reference->keys.end())
         result.assumed_reason = reason->second;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "validation/metrics/energy_budget.hpp"
 
 namespace wetdeck {
@@ -19,6 +21,20 @@ std::vector<std::string> flow_flags(const RunRecord& record) {
     if (outside > 0)
         flags.push_back(fmt::format("{:.0f} fluid particles are beyond the tank's faces", outside));
     return flags;
+}
+
+std::optional<std::string> compression_note(const RunRecord& record) {
+    const double change = largest_value(record, "density_error_max").value_or(0);
+    const auto speed = record.parameters.find("water.sound_speed");
+    if (change <= largest_intended_compression || speed == record.parameters.end()) return std::nullopt;
+    const double times = change / largest_intended_compression;
+    return fmt::format(
+        "the water's density changes by up to {:.2g} %, so that peaks depend on its sound speed, {:.4g} m/s: "
+        "with {:.3g} m/s the same pressures change it by {:.2g} %, with {:.3g} m/s those of a flat impact; "
+        "run "
+        "again with twice the sound speed to see what the peaks gain",
+        100 * change, speed->second, speed->second * std::sqrt(times), 100 * largest_intended_compression,
+        speed->second * times);
 }
 
 }  // namespace wetdeck

@@ -2,6 +2,7 @@
 // What makes the flow of a run doubtful, whatever its quantities say.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,5 +17,14 @@ inline constexpr double largest_sound_density_error = 0.05;
 /// One sentence each where the largest density error of the water is above largest_sound_density_error, and
 /// where fluid particles are beyond the faces of the tank.
 std::vector<std::string> flow_flags(const RunRecord& record);
+
+/// Change of density that a water of the chosen sound speed may have: pressures of impacts are then those of
+/// nearly incompressible water. Beyond it peaks depend on the sound speed.
+inline constexpr double largest_intended_compression = 0.01;
+
+/// Where the water's density changes by more than that: by how much, and the sound speed that would keep it
+/// below. Of a pressure p, the change is p / (rho c^2); the pressure of flow and weight does not depend on c,
+/// that of a flat impact, rho c V, rises with it. Empty for a run without that change.
+std::optional<std::string> compression_note(const RunRecord& record);
 
 }  // namespace wetdeck

@@ -67,6 +67,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SoundSpeedRow, scene, variant, quantity, unit
                                    u_limit, expected)
 NLOHMANN_JSON_SERIALIZE_ENUM(RunDoubt::About,
                              {{RunDoubt::About::time_origin, "time origin"}, {RunDoubt::About::flow, "flow"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LeftOutRun, directory, scene, variant, dx, differences)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RunDoubt, about, scene, variant, dx, overrides, sentence)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerPoint, scene, name, reference, error, core_s, conditions)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SpeedErrorPoint, scene, variant, dx, core_s, error, against, pareto)

@@ -66,10 +66,10 @@ JudgedValue value_of(const AnalysisSpec& scene, const ComparisonResult& c) {
                       {},
                       {},
                       required_accuracy(scene, c.title)};
-    const auto relative = c.reference_uncertainty ? c.reference_uncertainty : c.assumed_uncertainty;
-    if (!relative || !value.reference) return value;
+    const auto stated = c.reference_uncertainty ? c.reference_uncertainty : c.assumed_uncertainty;
+    if (!stated || !value.reference) return value;
     if (!c.reference_uncertainty) value.assumed_reason = c.assumed_reason;
-    value.u_data = std::hypot(*relative * *value.reference, peaked ? 0 : shifted_mean(c));
+    value.u_data = std::hypot(stated->of(*value.reference), peaked ? 0 : shifted_mean(c));
     return value;
 }
 

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "solver/core/errors.hpp"
+#include "validation/metrics/column_titles.hpp"
 #include "validation/metrics/missing_value_marks.hpp"
 #include "validation/metrics/units.hpp"
 #include "validation/store/hash.hpp"
@@ -25,9 +26,10 @@ namespace {
 constexpr double no_value = 1e300;  // OpenFOAM writes -1e+300 where a probe lies in no cell
 constexpr std::uintmax_t largest_file = 20'000'000;
 constexpr std::array origins{"tabulated", "digitised", "computed", "stated"};
-constexpr std::array required_keys{
-    "kind",   "citation",      "doi",    "figure", "obtained", "obtained_from", "date", "digitisation_error",
-    "u_data", "u_data_source", "sensor", "filter", "sign",     "time_origin",   "note"};
+constexpr std::array required_keys{"kind", "citation", "u_data", "sign", "time_origin"};
+constexpr std::array recommended_keys{
+    "doi",           "figure", "obtained", "obtained_from", "date", "digitisation_error",
+    "u_data_source", "sensor", "filter",   "note"};
 
 /// Those that no remark in a file of corners has.
 constexpr std::array telling_keys{"kind", "obtained", "u_data", "digitisation_error", "time_origin"};
@@ -35,50 +37,6 @@ constexpr std::array telling_keys{"kind", "obtained", "u_data", "digitisation_er
 template <typename List>
 bool contains(const List& list, std::string_view word) {
     return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-/// "name [unit]" in its parts; a cell of another form has no unit.
-struct ColumnTitle {
-    std::string_view name, unit;
-    bool has_unit = false;
-};
-
-ColumnTitle title_in(std::string_view cell) {
-    const std::size_t open = cell.find('[');
-    if (open == std::string_view::npos || cell.back() != ']') return {cell, {}, false};
-    return {trimmed(cell.substr(0, open)), trimmed(cell.substr(open + 1, cell.size() - open - 2)), true};
-}
-
-std::vector<std::string_view> titles_of(std::string_view line, char separator) {
-    std::vector<std::string_view> cells = cells_of(line, separator);
-    drop_empty_end(cells, 1);
-    return cells;
-}
-
-/// The separator that leaves one unit to each cell: "t [s];p, filtered [Pa]" has two columns.
-char separator_of_titles(std::string_view line) {
-    for (const char separator : {',', ';', '\t'}) {
-        const std::vector<std::string_view> cells = titles_of(line, separator);
-        const bool all = std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
-            return title_in(cell).has_unit && std::count(cell.begin(), cell.end(), '[') == 1;
-        });
-        if (all && (cells.size() > 1 || trimmed(line).find_first_of(",;\t") == std::string_view::npos))
-            return separator;
-    }
-    if (line.find(';') != std::string_view::npos) return ';';
-    return line.find(',') != std::string_view::npos || line.find('\t') == std::string_view::npos ? ',' : '\t';
-}
-
-bool has_titles_of_curves(std::string_view line) {
-    const std::vector<std::string_view> cells = titles_of(line, separator_of_titles(line));
-    const auto is_title = [](std::string_view cell) { return title_in(cell).has_unit; };
-    if (!std::all_of(cells.begin(), cells.end(), is_title)) return false;
-    const auto is_place = [](std::string_view cell) {
-        return title_in(cell).name == "x" || title_in(cell).name == "y";
-    };
-    if (cells.size() == 2 && std::all_of(cells.begin(), cells.end(), is_place)) return false;
-    const auto in_length = [](std::string_view cell) { return is_length(std::string(title_in(cell).unit)); };
-    return cells.size() != 2 || !std::all_of(cells.begin(), cells.end(), in_length);
 }
 
 /// Without the separators that spreadsheets add at the end of a line.
@@ -145,6 +103,7 @@ class Reader {
         if (reference_.columns.empty()) fail("no column names, expected a line such as 'T [-],p_star [-]'");
         if (reference_.columns.front().values.empty()) fail("no rows after the column names");
         marks_.check(reference_);
+        check_units();
         return std::move(reference_);
     }
 
@@ -171,13 +130,33 @@ class Reader {
         if (key == "date" && !is_date(value)) fail(fmt::format("date is '{}', expected YYYY-MM-DD", value));
         if (key == "u_data" && value != "unknown") reference_.u_data = uncertainty(key, value, " or unknown");
         if (key == "u_data_assumed") reference_.u_data_assumed = uncertainty(key, value, "");
-        if (key == "u_abscissa") reference_.u_abscissa = uncertainty(key, value, "");
+        if (key == "u_abscissa") {
+            reference_.u_abscissa = number(value, key);
+            if (*reference_.u_abscissa < 0)
+                fail("u_abscissa is negative, expected zero or a positive number");
+        }
     }
 
-    double uncertainty(const std::string& key, const std::string& value, const char* otherwise) const {
-        const double u = number(value, key);
-        if (u < 0) fail(fmt::format("{} is negative, expected a relative uncertainty{}", key, otherwise));
-        return u;
+    StandardUncertainty uncertainty(const std::string& key, const std::string& value,
+                                    const char* otherwise) const {
+        try {
+            return uncertainty_in(value);
+        } catch (const InputError& error) {
+            fail(fmt::format("{} {}{}", key, error.what(), otherwise));
+        }
+    }
+
+    /// An uncertainty with a unit is that of a column behind the first.
+    void check_units() const {
+        for (const auto& [key, given] : {std::pair("u_data", reference_.u_data),
+                                         std::pair("u_data_assumed", reference_.u_data_assumed)}) {
+            if (!given || given->relative()) continue;
+            const auto has_unit = [unit = unit_named(given->unit)](const Column& column) {
+                return same_dimension(unit_named(column.unit), unit);
+            };
+            if (std::none_of(reference_.columns.begin() + 1, reference_.columns.end(), has_unit))
+                fail(fmt::format("{} is in {}, the unit of no column of values", key, given->unit));
+        }
     }
 
     template <typename List>
@@ -295,6 +274,13 @@ Reference load_reference(const std::filesystem::path& path) {
 
 Reference parse_reference(const std::string& name, std::string_view text) {
     return Reader(name, text).read();
+}
+
+std::vector<std::string> missing_recommended_keys(const Reference& reference) {
+    std::vector<std::string> missing;
+    for (const char* key : recommended_keys)
+        if (!reference.keys.contains(key)) missing.emplace_back(key);
+    return missing;
 }
 
 bool looks_like_reference(std::string_view text) {

@@ -13,6 +13,7 @@
 
 #include "solver/core/curve.hpp"
 #include "validation/metrics/reference_kind.hpp"
+#include "validation/metrics/standard_uncertainty.hpp"
 
 namespace wetdeck {
 
@@ -29,8 +30,8 @@ struct Column {
 struct Reference {
     ReferenceKind kind = ReferenceKind::stated;
     std::string citation;
-    std::optional<double> u_data;          ///< relative standard uncertainty, k = 1, stated; empty if unknown
-    std::optional<double> u_data_assumed;  ///< the same by judgement, where nobody states it
+    std::optional<StandardUncertainty> u_data;          ///< stated; empty if unknown
+    std::optional<StandardUncertainty> u_data_assumed;  ///< by judgement, where nobody states it
     std::optional<double> u_abscissa;  ///< standard, along the first column, in its unit; empty if unknown
     std::map<std::string, std::string> keys;  ///< the whole header, the above included
     std::vector<Column> columns;
@@ -44,6 +45,10 @@ Reference load_reference(const std::filesystem::path& path);
 
 /// The same for a text in that format; `name` replaces the path in messages.
 Reference parse_reference(const std::string& name, std::string_view text);
+
+/// Keys of the header that the file lacks and that a reader of the report would want: where the numbers come
+/// from, and how they were measured.
+std::vector<std::string> missing_recommended_keys(const Reference& reference);
 
 /// Whether a text means to be a reference file, sound or not: it has a key of the header, or names of columns
 /// with units that an outline does not have (another number of columns than two, or no lengths).

@@ -7,6 +7,14 @@
 namespace wetdeck {
 namespace {
 
+/// On the scaled axis; nothing where it is that of a column of another dimension.
+std::optional<StandardUncertainty> scaled(const std::optional<StandardUncertainty>& given, const Column& y,
+                                          double scale) {
+    if (!given || given->relative()) return given;
+    if (!same_dimension(unit_named(given->unit), unit_named(y.unit))) return std::nullopt;
+    return StandardUncertainty{given->value / (y.unit == "-" ? 1 : scale), "-"};
+}
+
 ReferenceCurve sound_curve(const ReferenceRequest& request, ReferenceShelf& references) {
     ReferenceCurve found;
     found.reference = references.find(request.reference);
@@ -22,6 +30,8 @@ ReferenceCurve sound_curve(const ReferenceRequest& request, ReferenceShelf& refe
     found.empty_cells = y.empty_cells;
     found.curve =
         scaled_reference(reference, x.name, y.name, request.scaling.x_scale, request.scaling.y_scale);
+    found.u_data = scaled(reference.u_data, y, request.scaling.y_scale);
+    found.u_data_assumed = scaled(reference.u_data_assumed, y, request.scaling.y_scale);
     const bool along_first = x.name == first;
     if (reference.u_abscissa && along_first)
         found.u_abscissa = *reference.u_abscissa / (x.unit == "-" ? 1 : request.scaling.x_scale);

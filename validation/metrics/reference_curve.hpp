@@ -22,8 +22,9 @@ ReferenceRequest request_of(const QuantitySpec& spec);
 
 struct ReferenceCurve {
     const Reference* reference = nullptr;
-    std::size_t empty_cells = 0;            ///< of the column of the ordinate
-    Curve curve;                            ///< scaled
+    std::size_t empty_cells = 0;                                          ///< of the column of the ordinate
+    Curve curve;                                                          ///< scaled
+    std::optional<StandardUncertainty> u_data = {}, u_data_assumed = {};  ///< of it, scaled
     std::optional<double> u_abscissa = {};  ///< standard, scaled; empty if unknown
     std::string problem;                    ///< why there is none; else empty
     bool unusable = false;                  ///< there is a reference, but it is not sound or not comparable

@@ -104,7 +104,8 @@ std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSum
     point.predicted = (*predicted + spec.y_offset) * spec.y_scale;
     point.against = c.reference;
     point.kind = c.kind;
-    point.u_data = c.reference_uncertainty;
+    if (c.reference_uncertainty && *expected != 0)
+        point.u_data = c.reference_uncertainty->of(*expected) / std::abs(*expected);
     return point;
 }
 

@@ -9,6 +9,7 @@
 
 #include "solver/core/curve.hpp"
 #include "validation/metrics/specification.hpp"
+#include "validation/metrics/standard_uncertainty.hpp"
 #include "validation/metrics/verification.hpp"
 #include "validation/store/run_record.hpp"
 
@@ -48,10 +49,10 @@ struct ComparisonResult {
     std::optional<double> nrmse;       ///< rms difference over the range of the reference in the window
     std::optional<double> peak_error;  ///< (max simulated - max reference) / |max reference| in the window
     std::optional<double> time_error;  ///< scaled time of the maximum, simulated minus reference
-    std::optional<double> reference_uncertainty;  ///< relative standard, k = 1; empty if unknown
-    std::optional<double> assumed_uncertainty;    ///< the same by judgement, where nobody states it
-    std::string assumed_reason = {};              ///< of the judgement
-    std::optional<double> abscissa_uncertainty;   ///< standard, scaled; empty if unknown
+    std::optional<StandardUncertainty> reference_uncertainty;  ///< scaled; empty if unknown
+    std::optional<StandardUncertainty> assumed_uncertainty;    ///< by judgement, where nobody states it
+    std::string assumed_reason = {};                           ///< of the judgement
+    std::optional<double> abscissa_uncertainty;                ///< standard, scaled; empty if unknown
     double tolerance = 0;
     bool within =
         false;  ///< nrmse was computed and is at most the tolerance; says nothing unless `available`
@@ -76,7 +77,6 @@ struct RunSummary {
     std::optional<double> energy_error;    ///< see conservation.hpp
     std::optional<double> momentum_error;  ///< see conservation.hpp
     bool expected_unstable = false;        ///< its variant is known to become unstable
-    bool other_setup = false;  ///< its set-up or scheme is not that of the latest run of its variant
     std::vector<QuantityResult> quantities;
     std::vector<ComparisonResult> comparisons;
 };
@@ -245,11 +245,18 @@ struct StressRow {
     std::string picture = {};  ///< of the instability, relative to the directory; empty if there is none
 };
 
-/// Whether a run takes part in what is computed from several runs: it has reached its end, and its set-up and
-/// scheme are those of its variant.
+/// Whether a run takes part in what is computed from several runs: it has reached its end.
 inline bool counts(const RunSummary& run) {
-    return run.record.status == RunStatus::ok && !run.other_setup;
+    return run.record.status == RunStatus::ok;
 }
+
+/// A stored run of another set-up than that of the latest run of its scene: nothing of it is shown.
+struct LeftOutRun {
+    std::string directory;  ///< relative to the suite's directory
+    std::string scene, variant;
+    double dx = 0;                         ///< [m]
+    std::vector<std::string> differences;  ///< in words, at least one
+};
 
 /// A statement of a scene's source against the runs; see statements.hpp.
 struct StatementResult {
@@ -293,6 +300,7 @@ struct Summary {
     std::vector<AblationRow> ablation;
     std::vector<StressRow> stress;
     std::vector<RunDoubt> doubts;
+    std::vector<LeftOutRun> left_out;
     std::vector<std::string> missing;  ///< runs that the tier asks for and the directory lacks
 };
 

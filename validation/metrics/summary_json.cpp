@@ -15,6 +15,12 @@ namespace {
 
 using nlohmann::json;
 
+/// The value of a relative uncertainty, or of one that is not.
+std::optional<double> part_of(const std::optional<StandardUncertainty>& uncertainty, bool relative) {
+    if (!uncertainty || uncertainty->relative() != relative) return std::nullopt;
+    return uncertainty->value;
+}
+
 json comparison_json(const ComparisonResult& result) {
     json features = json::object();
     for (const CurveFeature& feature : result.features) features[feature.name] = feature;
@@ -36,7 +42,8 @@ json comparison_json(const ComparisonResult& result) {
                   {"shape_error", agreement.shape_error}}},
                 {"features", std::move(features)},
                 {"reference_hash", result.reference_hash},
-                {"reference_uncertainty", result.reference_uncertainty},
+                {"reference_uncertainty", part_of(result.reference_uncertainty, true)},
+                {"reference_uncertainty_absolute", part_of(result.reference_uncertainty, false)},
                 {"tolerance", result.tolerance},
                 {"within", result.within},
                 {"note", result.note}};
@@ -142,6 +149,7 @@ json summary_json(const Summary& summary, const ProgramInfo& program) {
             {"ablation", summary.ablation},
             {"stress", summary.stress},
             {"doubts", summary.doubts},
+            {"left_out", summary.left_out},
             {"missing", summary.missing}};
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -27,6 +28,14 @@ bool is_dumb() {
 
 }  // namespace
 
+std::optional<double> TimeLeft::estimate(double elapsed, double share) {
+    constexpr double least_share = 0.01, largest_rise = 4.0 / 3;
+    if (share < least_share) return std::nullopt;
+    const double left = elapsed * (1 - share) / share;
+    last_ = last_ ? std::min(left, largest_rise * *last_) : left;
+    return last_;
+}
+
 Progress::Progress(std::string label, bool quiet)
     : label_(std::move(label)),
       quiet_(quiet),
@@ -46,8 +55,8 @@ void Progress::update(double share, const std::string& detail) {
     last_ = now;
     shown_ = true;
     const double elapsed = seconds(now - start_);
-    const std::string left =
-        share > 1e-3 ? duration_text(elapsed * (1 - share) / share) + " left" : "time left not known yet";
+    const std::optional<double> estimate = time_left_.estimate(elapsed, share);
+    const std::string left = estimate ? duration_text(*estimate) + " left" : "time left not known yet";
     if (terminal_) {
         constexpr int width = 24;
         const int filled = static_cast<int>(share * width);

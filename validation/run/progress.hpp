@@ -4,9 +4,23 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace wetdeck {
+
+/// Estimates of the time that is left. One estimate exceeds the last by at most a third: a sudden change of
+/// the speed of the machine or of the steps shows over several of them.
+class TimeLeft {
+  public:
+    /// @param elapsed  [s]
+    /// @param share    done, 0 to 1
+    /// @return [s]; nothing while too little is done to tell
+    std::optional<double> estimate(double elapsed, double share);
+
+  private:
+    std::optional<double> last_;
+};
 
 class Progress {
   public:
@@ -25,6 +39,7 @@ class Progress {
     std::string label_;
     bool quiet_, terminal_;
     Clock::time_point start_, last_;
+    TimeLeft time_left_;
     bool shown_ = false;
 };
 

@@ -46,6 +46,14 @@ double length_beside(const Outline& outline, std::size_t first, std::size_t step
 
 }  // namespace
 
+double snapping_distance(const Scene& scene) {
+    double finest = std::numeric_limits<double>::infinity();
+    for (const auto& [tier, variants] : scene.tiers)
+        for (const auto& [variant, spacings] : variants)
+            for (const double dx : spacings) finest = std::min(finest, dx);
+    return std::isinf(finest) ? 0 : finest;
+}
+
 Box extent_of(const Outline& outline) {
     Box extent{outline.front(), outline.front()};
     for (const Vec2& corner : outline) extent = {extent.low.cwiseMin(corner), extent.high.cwiseMax(corner)};
@@ -75,7 +83,8 @@ FacePlace nearest_wall(const Box& tank, Vec2 point) {
     const double foot = wall.foot(point);
     const Vec2 across(-wall.along().y(), wall.along().x()), inwards = 0.5 * (low + high) - wall.from;
     const Vec2 normal = across.dot(inwards) > 0 ? across : Vec2(-across);
-    return {name, wall.distance(point), wall.along(), normal, foot, wall.length() - foot};
+    return {name, wall.distance(point), wall.from + foot * wall.along(), wall.along(), normal,
+            foot, wall.length() - foot};
 }
 
 FacePlace nearest_face(const Outline& outline, Vec2 point) {
@@ -86,6 +95,7 @@ FacePlace nearest_face(const Outline& outline, Vec2 point) {
     const Vec2 normal = counter_clockwise(outline) ? right : Vec2(-right);
     return {"the face",
             found.distance(point),
+            found.from + foot * found.along(),
             found.along(),
             normal,
             foot + length_beside(outline, nearest, outline.size() - 1),

@@ -16,6 +16,7 @@ namespace wetdeck {
 struct FacePlace {
     std::string name;      ///< "the floor", "the left wall", "the face"
     double distance;       ///< of the point from the face [m]
+    Vec2 foot;             ///< nearest point of the face
     Vec2 along;            ///< unit vector along the face
     Vec2 normal;           ///< unit vector into the fluid
     double before, after;  ///< length of the face on either side of the point, against and along `along` [m]
@@ -25,6 +26,9 @@ struct FacePlace {
 
 /// Beyond it a point does not lie on a face, and a disc leaves it [m].
 inline constexpr double face_tolerance = 1e-6;
+
+/// How far from a face a probe is taken for one on it: the finest spacing of the scene's tiers [m].
+double snapping_distance(const Scene& scene);
 
 /// The smallest box around an outline.
 Box extent_of(const Outline& outline);

@@ -28,6 +28,7 @@ struct ProbePlace {
 struct Probe {
     SeriesInfo series;
     std::string note;
+    std::vector<std::string> notes;   ///< on what was taken for what, with file, line and key
     std::vector<std::string> doubts;  ///< why it may read nothing of use, with file, line and key
     std::optional<ProbePlace> place;  ///< empty for a probe of the whole fluid
     /// Throws InputError where the probe is too small for the particle spacing; may be empty.

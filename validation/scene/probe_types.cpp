@@ -58,18 +58,37 @@ struct Face {
     std::size_t body;
     Vec2 from, to;  ///< in the frame of the outline [m]
     ProbePlace place;
+    std::vector<std::string> notes;
 };
+
+/// The point of the key where it lies on the face; one within the snapping distance is moved onto it, with a
+/// note. `origin` is that of the frame of the key in the frame of the face.
+Vec2 on_face(const TomlTable& table, const std::string& key, const FacePlace& face, Vec2 origin,
+             const Scene& scene, std::vector<std::string>& notes) {
+    const Vec2 given = point(table, key);
+    if (face.distance <= face_tolerance || face.distance > snapping_distance(scene)) return given;
+    const Vec2 moved = face.foot - origin;
+    notes.push_back(fmt::format(
+        "{}: ({:.6g}, {:.6g}) m lies {:.3g} m off {}, less than the finest spacing: "
+        "taken for ({:.6g}, {:.6g}) m on it",
+        table.place_of(key), given.x(), given.y(), face.distance, face.name, moved.x(), moved.y()));
+    return moved;
+}
 
 Face read_face(const TomlTable& table, const Scene& scene) {
     const std::size_t number = body_number(table, scene);
     const BodySpec& body = scene.bodies[number];
-    const Vec2 from = point(table, "from"), to = point(table, "to");
+    std::vector<std::string> notes;
+    const auto end = [&](const char* key) {
+        const FacePlace nearest = nearest_face(body.outline, body.origin + point(table, key));
+        return on_face(table, key, nearest, body.origin, scene, notes);
+    };
+    const Vec2 from = end("from"), to = end("to");
     if ((to - from).norm() == 0) table.fail("to", "is the same point as 'from'");
     const auto off = [&](Vec2 place) { return std::abs(distance_to(body.outline, body.origin + place)); };
-    for (const char* key : {"from", "to"}) {
-        if (off(point(table, key)) > face_tolerance)
-            table.fail(key,
-                       fmt::format("lies {:.3g} m off the outline of {}", off(point(table, key)), body.name));
+    for (const auto& [key, place] : {std::pair("from", from), std::pair("to", to)}) {
+        if (off(place) > face_tolerance)
+            table.fail(key, fmt::format("lies {:.3g} m off the outline of {}", off(place), body.name));
     }
     double farthest = 0;
     for (const double share : midpoints(0, 1, 64))
@@ -78,53 +97,63 @@ Face read_face(const TomlTable& table, const Scene& scene) {
         table.fail("to", fmt::format("the line from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) leaves the outline "
                                      "of {} by {:.3g} m: expected two points of one straight face",
                                      from.x(), from.y(), to.x(), to.y(), body.name, farthest));
-    return {number, from, to, {body.at_start(from), body.at_start(to)}};
+    return {number, from, to, {body.at_start(from), body.at_start(to)}, notes};
 }
+
+/// A disc on a face, over which a gauge takes its mean.
+struct Disc {
+    Vec2 centre;  ///< in the frame of the key [m]
+    double diameter;
+    std::vector<std::string> notes;
+};
 
 /// Refuses a centre that lies on no face, and a disc that reaches beyond its end.
-void check_disc(const TomlTable& table, const FacePlace& face, const std::string& expected) {
-    const Vec2 centre = point(table, "centre");
-    const double diameter = table.positive("diameter");
-    const std::string disc =
-        fmt::format("the disc of {:.6g} m at ({:.6g}, {:.6g}) m", diameter, centre.x(), centre.y());
-    if (face.distance > face_tolerance)
+/// @param origin  of the frame of the key in the frame of the face
+Disc read_disc(const TomlTable& table, const Scene& scene, const FacePlace& face, Vec2 origin,
+               const std::string& expected) {
+    Disc disc{Vec2::Zero(), table.positive("diameter"), {}};
+    disc.centre = on_face(table, "centre", face, origin, scene, disc.notes);
+    const Vec2 centre = disc.centre;
+    if (face.distance > face_tolerance && disc.notes.empty())
         table.fail("centre", fmt::format("({:.6g}, {:.6g}) m lies {:.3g} m off {}, the nearest face: {}",
                                          centre.x(), centre.y(), face.distance, face.name, expected));
-    const double beyond = 0.5 * diameter - face.to_end();
+    const double beyond = 0.5 * disc.diameter - face.to_end();
     if (beyond > face_tolerance)
-        table.fail("diameter",
-                   fmt::format("{} reaches {:.3g} m beyond the end of {}: expected at most {:.6g} m "
-                               "there, or another centre",
-                               disc, beyond, face.name, 2 * face.to_end()));
+        table.fail(
+            "diameter",
+            fmt::format("the disc of {:.6g} m at ({:.6g}, {:.6g}) m reaches {:.3g} m beyond the end of "
+                        "{}: expected at most {:.6g} m there, or another centre",
+                        disc.diameter, centre.x(), centre.y(), beyond, face.name, 2 * face.to_end()));
+    return disc;
 }
 
-Probe pressure_gauge(const TomlTable& table, const PressureGauge& gauge, ProbePlace place) {
-    const Vec2 centre = point(table, "centre");
+Probe pressure_gauge(const TomlTable& table, const Disc& disc, const PressureGauge& gauge, ProbePlace place) {
     Probe probe;
     probe.series.description =
         fmt::format("gauge pressure, chord-weighted mean over a disc of {} m at ({}, {}) m; {}",
-                    table.positive("diameter"), centre.x(), centre.y(), table.text_or("note", ""));
+                    disc.diameter, disc.centre.x(), disc.centre.y(), table.text_or("note", ""));
     probe.place = place;
+    probe.notes = disc.notes;
     probe.check = [gauge](double particle_spacing) { gauge.check(particle_spacing); };
     probe.sample = scalar_reading([gauge](const Simulation& s) { return gauge.sample(s); });
     return probe;
 }
 
 Probe wall_pressure(const TomlTable& table, const Scene& scene) {
-    const Vec2 centre = point(table, "centre");
-    const double diameter = table.positive("diameter");
-    const FacePlace wall = nearest_wall(scene.tank, centre);
+    const FacePlace wall = nearest_wall(scene.tank, point(table, "centre"));
     const Vec2 low = scene.tank.low, high = scene.tank.high;
-    check_disc(table, wall,
-               fmt::format("expected x = {:.6g} or {:.6g}, or y = {:.6g} or {:.6g} in the tank", low.x(),
-                           high.x(), low.y(), high.y()));
-    const Vec2 half = 0.5 * diameter * wall.along;
+    const Disc disc =
+        read_disc(table, scene, wall, Vec2::Zero(),
+                  fmt::format("expected x = {:.6g} or {:.6g}, or y = {:.6g} or {:.6g} in the tank", low.x(),
+                              high.x(), low.y(), high.y()));
+    const Vec2 half = 0.5 * disc.diameter * wall.along;
     for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-        if (const auto body = covered_for_good(scene, centre + share * half))
+        if (const auto body = covered_for_good(scene, disc.centre + share * half))
             table.fail("centre",
                        fmt::format("lies where {}, which never moves, covers {}", *body, wall.name));
     }
-    return pressure_gauge(table, {centre, wall.normal, diameter}, {centre - half, centre + half});
+    return pressure_gauge(table, disc, {disc.centre, wall.normal, disc.diameter},
+                          {disc.centre - half, disc.centre + half});
 }
 
 Probe water_depth_at(const TomlTable& table, const Scene& scene) {
@@ -142,12 +171,11 @@ Probe water_depth_at(const TomlTable& table, const Scene& scene) {
 Probe body_pressure(const TomlTable& table, const Scene& scene) {
     const std::size_t number = body_number(table, scene);
     const BodySpec& body = scene.bodies[number];
-    const Vec2 centre = point(table, "centre");
-    const double diameter = table.positive("diameter");
-    const FacePlace face = nearest_face(body.outline, body.origin + centre);
-    check_disc(table, face, fmt::format("expected a point on the outline of {}", body.name));
-    return pressure_gauge(table, {body.in_body_frame(centre), face.normal, diameter, number},
-                          {body.at_start(centre), body.at_start(centre)});
+    const FacePlace face = nearest_face(body.outline, body.origin + point(table, "centre"));
+    const Disc disc = read_disc(table, scene, face, body.origin,
+                                fmt::format("expected a point on the outline of {}", body.name));
+    return pressure_gauge(table, disc, {body.in_body_frame(disc.centre), face.normal, disc.diameter, number},
+                          {body.at_start(disc.centre), body.at_start(disc.centre)});
 }
 
 /// Whether a face of the tank is meant: where the file says so, or there is no body.
@@ -205,6 +233,7 @@ Probe face_pressure(const TomlTable& table, const Scene& scene) {
     Probe probe;
     probe.series.abscissa = midpoints(0, (face.to - face.from).norm(), count);
     probe.place = face.place;
+    probe.notes = face.notes;
     probe.sample = profile([points, number = face.body](const Simulation& s) {
         std::vector<FacePoint> now;
         for (const FacePoint& point : points) now.push_back(placed(point, s.bodies()[number]));
@@ -245,6 +274,7 @@ Probe air_film(const TomlTable& table, const Scene& scene) {
     if (normal.dot(Vec2(to.y() - from.y(), from.x() - to.x())) < 0) std::swap(from, to);
     Probe probe;
     probe.place = face.place;
+    probe.notes = face.notes;
     if (!sees_water(face, body.body.axes() * normal, scene))
         probe.doubts.push_back(
             fmt::format("{}: no water is in front of the face at the start: air_film reads "

@@ -27,6 +27,7 @@ void read_probes(const TomlTable& root, Scene& scene) {
     std::set<std::string> names;
     for (const TomlTable& table : root.tables("probes")) {
         scene.probes.push_back(read_probe(table, scene));
+        for (const std::string& note : scene.probes.back().notes) scene.notes.push_back(note);
         if (!names.insert(scene.probes.back().series.name).second) table.fail("name", "is used twice");
     }
 }

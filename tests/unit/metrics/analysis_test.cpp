@@ -92,43 +92,6 @@ TEST_CASE("Runs that did not end well stay out of convergence and of error again
     CHECK(summary.runs[2].quantities.size() == 2);
 }
 
-TEST_CASE("Nothing is computed from runs of different set-ups: the set-up of the latest run counts",
-          "[analysis]") {
-    auto runs = sweep();
-    for (RunSummary& run : runs)
-        run.record.provenance = {{"setup_identity", "new"}, {"start_time", "2026-02"}};
-    const Summary same = analyse({scene()}, runs, references);
-    CHECK(row_of(same, "a").dx.size() == 3);
-    runs[0].record.provenance = {{"setup_identity", "old"}, {"start_time", "2026-01"}};
-    const Summary mixed = analyse({scene()}, runs, references);
-    CHECK(mixed.runs[0].other_setup);
-    CHECK_FALSE(mixed.runs[1].other_setup);
-    CHECK(mixed.runs[0].quantities.size() == 2);  // it is still shown
-    CHECK(row_of(mixed, "a").dx == std::vector<double>{0.02, 0.01});
-    CHECK_FALSE(mixed.speed_error[0].error.has_value());
-    runs[0].record.provenance["start_time"] = "2026-03";
-    const Summary other = analyse({scene()}, runs, references);
-    CHECK(row_of(other, "a").dx == std::vector<double>{0.04});
-    CHECK(row_of(other, "b").dx.size() == 1);  // another variant is not concerned
-}
-
-TEST_CASE("A sensitivity run of another base set-up does not enter the uncertainty of the input",
-          "[analysis]") {
-    AnalysisSpec spec = scene();
-    spec.default_variant = "a";
-    spec.sensitivities = {{"water.sound_speed", 10, 20, 1, "by judgement", true, {}, {}}};
-    auto runs = sweep();
-    for (RunSummary& run : runs) run.record.provenance["setup_identity"] = "new";
-    std::vector<SensitivityRun> varied;
-    for (const double value : {10.0, 20.0}) {
-        varied.push_back({"water.sound_speed", value, run("a", 0.02, 8, value / 100)});
-        varied.back().run.record.provenance["base_setup_identity"] = "new";
-    }
-    CHECK_FALSE(analyse({spec}, runs, references, varied).sensitivity.empty());
-    varied.front().run.record.provenance["base_setup_identity"] = "old";
-    CHECK(analyse({spec}, runs, references, varied).sensitivity.empty());
-}
-
 TEST_CASE("A curve beyond the time at which a run was asked to stop is not judged", "[analysis]") {
     AnalysisSpec spec = scene();
     spec.comparisons[0].window = Window{0.5, 1.5};

@@ -92,7 +92,7 @@ TEST_CASE("A series on its reference is within tolerance and carries the referen
     CHECK(result.available);
     CHECK(result.kind == ReferenceKind::analytic);
     CHECK(result.citation == "A bump");
-    CHECK(result.reference_uncertainty == 0.02);
+    CHECK(result.reference_uncertainty == StandardUncertainty{0.02});
     CHECK(result.note.empty());
 }
 

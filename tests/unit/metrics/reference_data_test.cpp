@@ -26,6 +26,7 @@ TEST_CASE("Every reference file loads and every column of it gives a curve", "[r
         INFO(entry.path());
         const Reference reference = load_reference(entry.path());
         REQUIRE(reference.columns.size() >= 2);
+        CHECK(missing_recommended_keys(reference).empty());
         for (std::size_t i = 1; i < reference.columns.size(); ++i) {
             const std::string& abscissa = reference.columns.front().name;
             CHECK_FALSE(column_curve(reference, abscissa, reference.columns[i].name).x.empty());

@@ -64,7 +64,7 @@ TEST_CASE("A sound reference file is read with its header, columns and units", "
     const Reference reference = load(header + "# licence: free\n" + columns + "0,1\n0.5,-2e3\n");
     CHECK(reference.kind == ReferenceKind::experiment);
     CHECK(reference.citation == "Someone (2000)");
-    CHECK(reference.u_data == 0.05);
+    CHECK(reference.u_data == StandardUncertainty{0.05});
     CHECK(reference.keys.at("licence") == "free");
     REQUIRE(reference.columns.size() == 2);
     CHECK(reference.columns[1].name == "p");
@@ -76,8 +76,9 @@ TEST_CASE("An unknown uncertainty is empty and not zero", "[reference]") {
     CHECK_FALSE(
         load(replaced(header, "u_data: 0.05", "u_data: unknown") + columns + "0,1\n").u_data.has_value());
     CHECK(load(replaced(header, "u_data: 0.05", "u_data: unknown\n# u_data_assumed: 0.1") + columns + "0,1\n")
-              .u_data_assumed == 0.1);
-    CHECK(load(replaced(header, "u_data: 0.05", "u_data: 0") + columns + "0,1\n").u_data == 0.0);
+              .u_data_assumed == StandardUncertainty{0.1});
+    CHECK(load(replaced(header, "u_data: 0.05", "u_data: 0") + columns + "0,1\n").u_data ==
+          StandardUncertainty{});
 }
 
 TEST_CASE("Files of spreadsheets with a byte order mark and carriage returns are read", "[reference]") {
@@ -122,11 +123,40 @@ TEST_CASE("A column without any value has no curve", "[reference]") {
 }
 
 TEST_CASE("Every required key has to be there", "[reference]") {
-    const std::string key = GENERATE("kind", "citation", "doi", "figure", "obtained", "obtained_from", "date",
-                                     "digitisation_error", "u_data", "u_data_source", "sensor", "filter",
-                                     "sign", "time_origin", "note");
+    const std::string key = GENERATE("kind", "citation", "u_data", "sign", "time_origin");
     const std::string text = replaced(header, "# " + key + ":", "# other:") + columns + "0,1\n";
     CHECK(refusal(text) == "16: missing key '" + key + "', expected '# " + key + ": ...'");
+}
+
+TEST_CASE("Other keys are recommended, and named where they are missing", "[reference]") {
+    CHECK(missing_recommended_keys(load(header + columns + "0,1\n")).empty());
+    const std::string key = GENERATE("doi", "figure", "obtained", "obtained_from", "date",
+                                     "digitisation_error", "u_data_source", "sensor", "filter", "note");
+    const Reference reference = load(replaced(header, "# " + key + ":", "# other:") + columns + "0,1\n");
+    CHECK(missing_recommended_keys(reference) == std::vector<std::string>{key});
+}
+
+TEST_CASE("An uncertainty is relative, in per cent, or in the unit of a column of values", "[reference]") {
+    const std::string two = "t [ms],v [km/h],p [kPa]\n";
+    const auto [given, value, unit] = GENERATE(table<std::string, double, std::string>({
+        {"0.03", 0.03, ""},
+        {"3 %", 0.03, ""},
+        {"0", 0, ""},
+        {"0 %", 0, ""},
+        {"1", 1, ""},
+        {"2.5   %", 0.025, ""},
+        {"0.03 m/s", 0.03, "m s^-1"},
+        {"36 km/h", 10, "m s^-1"},
+        {"3 cm/s", 0.03, "m s^-1"},
+        {"2 kPa", 2000, "Pa"},
+        {"20 mbar", 2000, "Pa"},
+    }));
+    const Reference read =
+        load(replaced(header, "u_data: 0.05", "u_data: " + given) + two + "0,1,2\n1,2,3\n");
+    REQUIRE(read.u_data.has_value());
+    CHECK(read.u_data->value == Approx(value));
+    CHECK(read.u_data->unit == unit);
+    CHECK(read.u_data->of(-200) == Approx(unit.empty() ? 200 * value : value));
 }
 
 TEST_CASE("A faulty header is refused with line and expectation", "[reference]") {
@@ -136,11 +166,24 @@ TEST_CASE("A faulty header is refused with line and expectation", "[reference]")
         {"obtained: digitised", "obtained: dreamt",
          "5: obtained is 'dreamt', expected tabulated, digitised, computed, stated"},
         {"date: 2026-01-31", "date: yesterday", "7: date is 'yesterday', expected YYYY-MM-DD"},
-        {"u_data: 0.05", "u_data: small", "9: u_data is 'small', expected a number"},
-        {"u_data: 0.05", "u_data: -1", "9: u_data is negative, expected a relative uncertainty or unknown"},
+        {"u_data: 0.05", "u_data: small",
+         "9: u_data is 'small', expected a relative uncertainty such as 0.03 or 3 %, or one with the unit of "
+         "a column or unknown"},
+        {"u_data: 0.05", "u_data: -1",
+         "9: u_data is negative, expected a relative uncertainty such as 0.03 or 3 %, or one with the unit "
+         "of "
+         "a column or unknown"},
         {"u_data: 0.05", "u_data: unknown\n# u_data_assumed: -1",
-         "10: u_data_assumed is negative, expected a relative uncertainty"},
-        {"u_data: 0.05", "u_data: nan", "9: u_data is 'nan', expected a finite number"},
+         "10: u_data_assumed is negative, expected a relative uncertainty such as 0.03 or 3 %, or one with "
+         "the "
+         "unit of a column"},
+        {"u_data: 0.05", "u_data: nan",
+         "9: u_data is 'nan', expected a relative uncertainty such as 0.03 or 3 %, or one with the unit of "
+         "a column or unknown"},
+        {"u_data: 0.05", "u_data: 3",
+         "9: u_data is 300 %, expected a relative uncertainty such as 0.03 or 3 %, or one with the unit of "
+         "a column or unknown"},
+        {"u_data: 0.05", "u_data: 0.1 s", "17: u_data is in s, the unit of no column of values"},
         {"sign: up", "sign:", "13: key 'sign' has no value"},
         {"sign: up", "figure: 2", "13: key 'figure' is given twice"},
         {"# sign: up", "# upwards", "16: missing key 'sign', expected '# sign: ...'"},
@@ -191,7 +234,7 @@ TEST_CASE("Faulty rows are refused", "[reference]") {
 
 TEST_CASE("A file that ends before its column names is refused", "[reference]") {
     CHECK(refusal(header) == "15: no column names, expected a line such as 'T [-],p_star [-]'");
-    CHECK_THAT(refusal(""), Catch::StartsWith("0: missing keys 'kind', 'citation', 'doi', ") &&
+    CHECK_THAT(refusal(""), Catch::StartsWith("0: missing keys 'kind', 'citation', 'u_data', ") &&
                                 EndsWith("'note', expected '# kind: ...'"));
 }
 

@@ -89,9 +89,18 @@ TEST_CASE("A rate of angle is no frequency, and a time no frequency turned round
     CHECK((unit_named("N/m") * unit_named("s")).text == "N s/m");
 }
 
-TEST_CASE("units at sea that would be read as tiny lengths are refused by name", "[units]") {
+TEST_CASE("units at sea that would be read as other ones are refused by name", "[units]") {
     for (const char* text : {"nmi", "nmi/h", "nmi h-1", "fm", "fm^2"})
         CHECK_THROWS_WITH(unit_named(text), Contains("in full"));
+    for (const char* text : {"ton", "tons", "ton/m", "kg ton-1"})
+        CHECK_THROWS_WITH(unit_named(text), Contains("expected t (1000 kg), short_ton or long_ton"));
+    CHECK_THROWS_WITH(unit_named("ton_force"), Contains("expected a force in kN"));
+    for (const char* text : {"mH2O", "mH2O/s"}) CHECK_THROWS_WITH(unit_named(text), Contains("'m H2O'"));
+    CHECK(unit_named("m H2O").factor == Approx(9806.65));
+    CHECK(unit_named("cmH2O").factor == Approx(98.0665));
+    CHECK(same_dimension(unit_named("m H2O"), unit_named("Pa")));
+    CHECK(unit_named("t/m3").factor == Approx(1000));
+    CHECK(unit_named("long_ton").factor == Approx(1016.0469));
     CHECK(unit_named("nautical_mile").factor == Approx(1852));
     CHECK(unit_named("fathom").factor == Approx(1.8288).epsilon(1e-4));
     CHECK(unit_named("knot").factor == Approx(1852 / 3600.0));

@@ -154,6 +154,36 @@ TEST_CASE("What to look at next: the worst values, doubtful flows, what would he
     CHECK_FALSE(contains(first_page(summary), ">beta<"));  // no default variant
 }
 
+TEST_CASE("A run whose water is compressed by more than one per cent has an amber mark and a remedy",
+          "[report]") {
+    Summary summary = samples::summary();
+    RunSummary& run = summary.runs[2];  // two-phase, finest
+    run.record.parameters["water.sound_speed"] = 60;
+    for (const auto& [change, marked] :
+         {std::pair(0.009, false), std::pair(0.011, true), std::pair(0.08, true)}) {
+        INFO(change);
+        run.record.series["density_error_max"] = {"-", "", {0, 1}, {0, change}, {}};
+        const std::string page = first_page(summary);
+        CHECK(contains(outcomes_in(page), ">compressed</span>") == marked);
+        CHECK(contains(page, "so that peaks depend on its sound speed, 60 m/s") == marked);
+        CHECK_FALSE(contains(page, "the water&#39;s density is off"));
+    }
+}
+
+TEST_CASE("Runs that are left out are named before the first number, many of them in a box", "[report]") {
+    Summary summary = samples::summary();
+    for (const std::size_t runs : {2U, 9U}) {
+        summary.left_out.assign(
+            runs, {"runs/tank/dx1", "tank", "two-phase", 1, {"water.depth is <1>, in the latest run 2"}});
+        const std::string page = first_page(summary);
+        const std::string before = page.substr(0, page.find("What was reached"));
+        CHECK(samples::occurrences(
+                  before, "runs/tank/dx1 is left out: water.depth is &lt;1&gt;, in the latest run 2") ==
+              runs);
+        CHECK(contains(before, "9 runs are left out</summary>") == (runs == 9));
+    }
+}
+
 TEST_CASE("A thumbnail shows lines and points inside the axes and tells what it is", "[report]") {
     report::Figure figure;
     figure.title = "p <1>";

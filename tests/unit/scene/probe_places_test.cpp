@@ -48,9 +48,9 @@ TEST_CASE("a probe is refused where it could never read", "[probe]") {
     const std::vector<Refusal> rows = {
         {gauge("wall_pressure", "[0.5, 0.1]", "0.04"), "centre",
          "lies 0.1 m off the floor, the nearest face"},
-        {gauge("wall_pressure", "[0.01, 0.3]", "0.04"), "centre", "lies 0.01 m off the left wall"},
+        {gauge("wall_pressure", "[0.03, 0.3]", "0.04"), "centre", "lies 0.03 m off the left wall"},
         {gauge("wall_pressure", "[1.2, 0.3]", "0.04"), "centre", "lies 0.2 m off the right wall"},
-        {gauge("wall_pressure", "[0.5, 0.47]", "0.04"), "centre", "lies 0.01 m off the roof"},
+        {gauge("wall_pressure", "[0.5, 0.45]", "0.04"), "centre", "lies 0.03 m off the roof"},
         {gauge("wall_pressure", "[0.5, -0.1]", "0.04"), "centre", "lies 0.1 m off the floor"},
         {gauge("wall_pressure", "[1.0, 0.02]", "0.06"), "diameter",
          "reaches 0.01 m beyond the end of the right wall: expected at most 0.04 m"},
@@ -60,7 +60,7 @@ TEST_CASE("a probe is refused where it could never read", "[probe]") {
         {gauge("wall_pressure", "[0.0, 0.0]", "0.04"), "diameter", "reaches 0.02 m beyond the end"},
         {gauge("body_pressure", "[0.06, 0.03]", "0.04"), "centre",
          "lies 0.03 m off the face, the nearest face"},
-        {gauge("body_pressure", "[0.06, -0.02]", "0.04"), "centre", "lies 0.02 m off the face"},
+        {gauge("body_pressure", "[0.06, -0.021]", "0.04"), "centre", "lies 0.021 m off the face"},
         {gauge("body_pressure", "[0.01, 0.0]", "0.04"), "diameter",
          "reaches 0.01 m beyond the end of the face"},
         {gauge("body_pressure", "[0.12, 0.11]", "0.04"), "diameter", "reaches 0.01 m beyond the end"},
@@ -100,6 +100,40 @@ TEST_CASE("a probe is refused where it could never read", "[probe]") {
         CHECK_THAT(said, StartsWith("small.toml:"));
         CHECK_THAT(said, Contains(fmt::format("key 'probes[3].{}': ", row.key)) && Contains(row.message));
     }
+}
+
+TEST_CASE("a gauge or an end of a face within the finest spacing of it is moved onto it, with a note",
+          "[probe]") {
+    struct Moved {
+        std::string keys, key, message;
+        Vec2 place;
+    };
+    const auto face = [](const char* type, const char* from, const char* to) {
+        return fmt::format("type = \"{}\"\nfrom = {}\nto = {}{}", type, from, to,
+                           std::string(type) == "air_film" ? "" : "\npoints = 4");
+    };
+    const std::vector<Moved> rows = {
+        {gauge("wall_pressure", "[0.01, 0.3]", "0.04"), "centre", "0.01 m off the left wall", {0, 0.28}},
+        {gauge("wall_pressure", "[1.015, 0.3]", "0.04"), "centre", "taken for (1, 0.3) m", {1, 0.28}},
+        {gauge("wall_pressure", "[0.5, 0.001]", "0.04"), "centre", "0.001 m off the floor", {0.48, 0}},
+        {gauge("wall_pressure", "[0.5, -0.019]", "0.04"), "centre", "0.019 m off the floor", {0.48, 0}},
+        {gauge("wall_pressure", "[0.5, 0.47]", "0.04"), "centre", "0.01 m off the roof", {0.48, 0.48}},
+        {gauge("body_pressure", "[0.06, -0.015]", "0.04"), "centre", "taken for (0.06, 0) m", {0.16, 0.25}},
+        {gauge("body_pressure", "[0.06, 0.00001]", "0.04"), "centre", "1e-05 m off the face", {0.16, 0.25}},
+        {gauge("body_pressure", "[0.11, 0.06]", "0.04"), "centre", "taken for (0.12, 0.06) m", {0.22, 0.31}},
+        {face("face_pressure", "[0.02, 0.004]", "[0.1, 0.0]"), "from", "taken for (0.02, 0) m", {0.12, 0.25}},
+        {face("face_pressure", "[0.02, 0.0]", "[0.1, -0.004]"), "to", "taken for (0.1, 0) m", {0.12, 0.25}},
+        {face("air_film", "[0.02, 0.0]", "[0.1, 0.003]"), "to", "0.003 m off the face", {0.12, 0.25}}};
+    for (const Moved& row : rows) {
+        CAPTURE(row.keys);
+        const Scene scene = parse_scene(probe(row.keys), "small.toml");
+        REQUIRE(scene.notes.size() == 1);
+        CHECK_THAT(scene.notes[0], StartsWith("small.toml:"));
+        CHECK_THAT(scene.notes[0],
+                   Contains(fmt::format("key 'probes[3].{}': ", row.key)) && Contains(row.message));
+        CHECK((scene.probes.back().place->begin - row.place).norm() < 1e-12);
+    }
+    CHECK(parse_scene(probe(gauge("wall_pressure", "[0.5, 0.0]", "0.04")), "small.toml").notes.empty());
 }
 
 TEST_CASE("a gauge may lie anywhere on a face that its disc fits", "[probe]") {
