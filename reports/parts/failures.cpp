@@ -122,9 +122,9 @@ std::string notes_on(const Runs& runs) {
                                      [](const RunSummary* run) { return stopped_early(run->record); });
     if (early > 0) {
         notes += paragraph(
-            fmt::format("{} of the runs were stopped on request before the end time of their scene; values "
+            fmt::format("{} of the runs {} stopped on request before the end time of the scene; values "
                         "that need a later time are not judged.",
-                        early),
+                        early, early == 1 ? "was" : "were"),
             "soft");
     }
     return notes;

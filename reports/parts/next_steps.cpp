@@ -10,6 +10,7 @@
 #include "reports/parts/outcomes.hpp"
 #include "reports/parts/parts.hpp"
 #include "reports/parts/tables.hpp"
+#include "validation/metrics/energy_budget.hpp"
 #include "validation/metrics/flow_flags.hpp"
 #include "validation/metrics/verdict.hpp"
 
@@ -108,22 +109,30 @@ std::string help_wanted(const Summary& summary, const Addresses& pages) {
     return out;
 }
 
-/// Flows that are doubtful at the finest spacing of a default variant.
+/// Flows that are doubtful at the finest spacing of a default variant, and scenes whose water is compressed.
 std::string doubts(const Summary& summary, const Addresses& pages) {
-    std::string out;
+    std::string out, compressed;
     for (const Outcome& outcome : outcomes_of(summary)) {
         if (outcome.run == nullptr || outcome.run->record.status != RunStatus::ok) continue;
-        std::vector<std::string> flags = flow_flags(outcome.run->record);
-        if (const auto note =
-                compression_note(outcome.run->record)) {  // says more than the flag of a larger change
+        const RunRecord& record = outcome.run->record;
+        std::vector<std::string> flags = flow_flags(record);
+        if (compression_note(record)) {
             std::erase_if(flags,
                           [](const std::string& flag) { return flag.rfind("the water's density", 0) == 0; });
-            flags.insert(flags.begin(), *note);
+            compressed +=
+                fmt::format("{}{} {} %", compressed.empty() ? "" : ", ", link(pages, summary, outcome.scene),
+                            number(100 * *largest_value(record, "density_error_max"), 2));
         }
         if (!flags.empty())
             out += item(fmt::format("<b>{}</b>: {}.", link(pages, summary, outcome.scene),
                                     escape(fmt::format("{}", fmt::join(flags, "; ")))));
     }
+    if (!compressed.empty())
+        out += item(
+            "<b>Compressed water</b>: the density changes by more than 1 %, so that peaks depend on the "
+            "sound "
+            "speed (" +
+            compressed + "). The page of a scene says which speed would keep it below.");
     return out;
 }
 

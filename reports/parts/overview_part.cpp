@@ -11,6 +11,7 @@
 #include "reports/parts/outcomes.hpp"
 #include "reports/parts/parts.hpp"
 #include "reports/parts/tables.hpp"
+#include "validation/metrics/energy_budget.hpp"
 #include "validation/metrics/flow_flags.hpp"
 
 namespace wetdeck::report {
@@ -45,7 +46,9 @@ Cell verdict_cell(const Outcome& outcome) {
     if (!outcome.open.empty()) out += "<br><span class=\"soft\">" + escape(outcome.open) + "</span>";
     if (outcome.run == nullptr) return markup(out);
     if (const auto note = compression_note(outcome.run->record))
-        out += fmt::format("<br><span class=\"badge warn\" title=\"{}\">compressed</span>", escape(*note));
+        out += fmt::format("<br><span class=\"badge warn\" title=\"{}\">density changes by {} %</span>",
+                           escape(*note),
+                           number(100 * *largest_value(outcome.run->record, "density_error_max"), 2));
     return markup(out);
 }
 

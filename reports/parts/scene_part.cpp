@@ -8,6 +8,7 @@
 #include "reports/parts/outcomes.hpp"
 #include "reports/parts/parts.hpp"
 #include "reports/parts/tables.hpp"
+#include "validation/metrics/flow_flags.hpp"
 
 namespace wetdeck::report {
 namespace {
@@ -46,6 +47,12 @@ std::string notice_list(const Summary& summary, const AnalysisSpec& scene) {
                escape(fmt::format("Doubt about {} {} dx {}{}: {}", doubt.scene, doubt.variant,
                                   number(doubt.dx), with, doubt.sentence)) +
                "</li>\n";
+    }
+    const Runs runs = runs_of(summary, scene);
+    const RunSummary* finest = runs.empty() ? nullptr : finest_of_each(runs).front();
+    if (finest != nullptr) {
+        if (const auto note = compression_note(finest->record))
+            out += "<li>" + escape(run_name(*finest) + ": " + *note) + "</li>\n";
     }
     return out.empty() ? "" : "<ul class=\"notice\">\n" + out + "</ul>\n";
 }

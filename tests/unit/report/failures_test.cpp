@@ -112,7 +112,7 @@ TEST_CASE("What a run did not reach that was asked to stop early is no failure",
     for (RunSummary& run : summary.runs) run.record.parameters["run.until"] = 0.5;
     const std::string failures = failures_of(page_of(summary));
     CHECK_FALSE(contains(failures, "not computed"));
-    CHECK(contains(failures, "4 of the runs were stopped on request before the end time of their scene"));
+    CHECK(contains(failures, "4 of the runs were stopped on request before the end time of the scene"));
 }
 
 TEST_CASE("A hard case that became unstable shows its picture", "[report]") {
