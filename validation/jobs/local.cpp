@@ -25,6 +25,12 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+/// The report shows no fields of studies, and of other rows only some.
+Fields fields_of(const SuiteRow& row, const RowOptions& options) {
+    if (!row.overrides.empty()) return Fields::none;
+    return options.fields == Fields::key && !row.pictured ? Fields::none : options.fields;
+}
+
 /// The command line of this program that runs one row.
 std::vector<std::string> arguments_of(const SuiteRow& row, const RowOptions& options) {
     std::vector<std::string> arguments = {"wetdeck",
@@ -40,8 +46,8 @@ std::vector<std::string> arguments_of(const SuiteRow& row, const RowOptions& opt
                                           row.directory.string(),
                                           "--checkpoint-interval",
                                           fmt::format("{}", options.checkpoint_interval)};
-    arguments.emplace_back("--fields");  // the report shows none of studies
-    arguments.emplace_back(name_of(row.overrides.empty() ? options.fields : Fields::none));
+    arguments.emplace_back("--fields");
+    arguments.emplace_back(name_of(fields_of(row, options)));
     if (options.fresh || !interrupted(row)) arguments.emplace_back("--replace");
     if (row.until) {
         arguments.emplace_back("--until");

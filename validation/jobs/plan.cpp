@@ -109,6 +109,15 @@ void add_replicate_rows(std::vector<SuiteRow>& rows, const PlanOptions& options,
     }
 }
 
+/// Whether the report shows pictures of the variant beside others, at a spacing that they have in common.
+bool beside_others(const Scene& scene, const std::string& variant) {
+    const std::vector<SideBySide>& entries = scene.analysis.side_by_side;
+    return std::any_of(entries.begin(), entries.end(), [&variant](const SideBySide& entry) {
+        return entry.time &&
+               std::find(entry.variants.begin(), entry.variants.end(), variant) != entry.variants.end();
+    });
+}
+
 void add_scene_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, const std::string& name) {
     const fs::path path = find_scene(name);
     const Scene scene = read_scene(path);
@@ -128,7 +137,8 @@ void add_scene_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, con
                             {},
                             run_path(options.directory, scene.name(), variant, dx),
                             {},
-                            varied.analysis.expected_unstable});
+                            varied.analysis.expected_unstable,
+                            dx == spacings.back() || beside_others(scene, variant)});
         }
     }
     add_sensitivity_rows(rows, options, name, scene);

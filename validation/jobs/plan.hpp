@@ -21,6 +21,7 @@ struct SuiteRow {
     std::filesystem::path directory;     ///< of the run
     std::optional<double> until = {};    ///< stop time [s], the scene's if absent
     bool expected_unstable = false;      ///< its variant is known to become unstable: no failure
+    bool pictured = false;               ///< whether a report may show pictures of its fields
 };
 
 struct PlanOptions {

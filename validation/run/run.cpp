@@ -300,7 +300,7 @@ RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& pro
     }
     std::error_code ignored;
     std::filesystem::remove(live_file(folder), ignored);
-    if (record.status == RunStatus::ok) {
+    if (record.status == RunStatus::ok && options.fields == Fields::all) {
         keep_newest_checkpoint(folder);
     } else {
         remove_checkpoints(folder);
@@ -315,7 +315,10 @@ std::pair<Scene, RunOptions> interrupted_run(const std::filesystem::path& direct
     try {
         std::optional<Checkpoint> checkpoint = newest_checkpoint(directory);
         if (!checkpoint)
-            throw DataError(fmt::format("{}: holds no checkpoint to continue from", directory.string()));
+            throw DataError(
+                fmt::format("{}: holds no checkpoint to continue from (a run with --fields none or "
+                            "key keeps none once it has ended)",
+                            directory.string()));
         run = {scene_in(*checkpoint), options_in(*checkpoint)};
         options.directory = directory;
         const std::string before = identity_of(scene, options);

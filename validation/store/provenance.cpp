@@ -79,8 +79,10 @@ std::string utc_text(std::chrono::system_clock::time_point time) {
     std::tm utc{};
     ::gmtime_r(&seconds, &utc);
     char text[sizeof "2024-05-31T12:00:00Z" + 8];  // room for years beyond 9999
-    const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return {text, length};
+    const std::size_t length = std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc);
+    const auto since = time - std::chrono::system_clock::from_time_t(seconds);
+    return fmt::format("{}.{:03}Z", std::string_view(text, length),
+                       std::chrono::duration_cast<std::chrono::milliseconds>(since).count());
 }
 
 double peak_rss_mb() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "solver/core/errors.hpp"
 #include "tests/unit/scene/scene_samples.hpp"
@@ -60,6 +61,25 @@ TEST_CASE("A plan has every spacing and both values of a varied input, the longe
     double sum = 0;
     for (const SuiteRow& row : rows) sum += row.estimated_core_seconds;
     CHECK(estimated_core_seconds(rows) == sum);
+}
+
+TEST_CASE("The finest run of a variant has pictures, and those that are shown beside other variants",
+          "[plan]") {
+    SmallPlan plan;
+    const std::string scene = plan.options.scenes[0];
+    const auto pictured = [&plan] {
+        std::set<double> spacings;
+        for (const SuiteRow& row : suite_rows(plan.options))
+            if (row.pictured) spacings.insert(row.particle_spacing);
+        return spacings;
+    };
+    CHECK(pictured() == std::set<double>{0.02});
+    const std::string beside =
+        "[[side_by_side]]\ntitle = \"both\"\nvariants = [\"two-phase\", \"single-phase\"]\n";
+    samples::put_bytes(scene, samples::bytes_of(scene) + beside + "series = \"front\"\n");
+    CHECK(pictured() == std::set<double>{0.02});
+    samples::put_bytes(scene, samples::bytes_of(scene) + beside + "time = 0.1\n");
+    CHECK(pictured() == std::set<double>{0.02, 0.04});
 }
 
 TEST_CASE(

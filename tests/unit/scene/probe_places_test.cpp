@@ -118,12 +118,12 @@ TEST_CASE("a gauge or an end of a face within the finest spacing of it is moved 
         {gauge("wall_pressure", "[0.5, 0.001]", "0.04"), "centre", "0.001 m off the floor", {0.48, 0}},
         {gauge("wall_pressure", "[0.5, -0.019]", "0.04"), "centre", "0.019 m off the floor", {0.48, 0}},
         {gauge("wall_pressure", "[0.5, 0.47]", "0.04"), "centre", "0.01 m off the roof", {0.48, 0.48}},
-        {gauge("body_pressure", "[0.06, -0.015]", "0.04"), "centre", "taken for (0.06, 0) m", {0.16, 0.25}},
-        {gauge("body_pressure", "[0.06, 0.00001]", "0.04"), "centre", "1e-05 m off the face", {0.16, 0.25}},
-        {gauge("body_pressure", "[0.11, 0.06]", "0.04"), "centre", "taken for (0.12, 0.06) m", {0.22, 0.31}},
-        {face("face_pressure", "[0.02, 0.004]", "[0.1, 0.0]"), "from", "taken for (0.02, 0) m", {0.12, 0.25}},
-        {face("face_pressure", "[0.02, 0.0]", "[0.1, -0.004]"), "to", "taken for (0.1, 0) m", {0.12, 0.25}},
-        {face("air_film", "[0.02, 0.0]", "[0.1, 0.003]"), "to", "0.003 m off the face", {0.12, 0.25}}};
+        {gauge("body_pressure", "[0.06, -0.015]", "0.04"), "centre", "taken for (0.06, 0) m", {0.16, 0.24}},
+        {gauge("body_pressure", "[0.06, 0.00001]", "0.04"), "centre", "1e-05 m off the face", {0.16, 0.24}},
+        {gauge("body_pressure", "[0.11, 0.06]", "0.04"), "centre", "taken for (0.12, 0.06) m", {0.22, 0.3}},
+        {face("face_pressure", "[0.02, 0.004]", "[0.1, 0.0]"), "from", "taken for (0.02, 0) m", {0.12, 0.24}},
+        {face("face_pressure", "[0.02, 0.0]", "[0.1, -0.004]"), "to", "taken for (0.1, 0) m", {0.12, 0.24}},
+        {face("air_film", "[0.02, 0.0]", "[0.1, 0.003]"), "to", "0.003 m off the face", {0.12, 0.24}}};
     for (const Moved& row : rows) {
         CAPTURE(row.keys);
         const Scene scene = parse_scene(probe(row.keys), "small.toml");

@@ -12,8 +12,10 @@ using namespace wetdeck;
 
 TEST_CASE("times are written in UTC to the second", "[store]") {
     using std::chrono::system_clock;
-    REQUIRE(utc_text(system_clock::from_time_t(0)) == "1970-01-01T00:00:00Z");
-    REQUIRE(utc_text(system_clock::from_time_t(1'717'156'800)) == "2024-05-31T12:00:00Z");
+    REQUIRE(utc_text(system_clock::from_time_t(0)) == "1970-01-01T00:00:00.000Z");
+    REQUIRE(utc_text(system_clock::from_time_t(1'717'156'800)) == "2024-05-31T12:00:00.000Z");
+    REQUIRE(utc_text(system_clock::from_time_t(7) + std::chrono::milliseconds(58)) ==
+            "1970-01-01T00:00:07.058Z");
 }
 
 TEST_CASE("provenance names program, build, machine and start", "[store]") {
@@ -27,7 +29,7 @@ TEST_CASE("provenance names program, build, machine and start", "[store]") {
     }
     REQUIRE(entries.at("simd") == "AVX2");
     REQUIRE(entries.at("threads") == "3");
-    REQUIRE(entries.at("start_time") == "2024-05-31T12:00:00Z");
+    REQUIRE(entries.at("start_time") == "2024-05-31T12:00:00.000Z");
     REQUIRE(std::stoi(entries.at("cores")) > 0);
     REQUIRE_THAT(entries.at("libraries"), Catch::Contains("HDF5 1."));
 }
