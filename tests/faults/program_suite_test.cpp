@@ -294,7 +294,8 @@ TEST_CASE("a variant that is expected to become unstable is no failure, whatever
             put_scene(folder, samples::replaced(text, "single-phase = [0.02, 0.04]", "two-phase = [0.04]"));
         const Outcome outcome = run_program(suite(scene, folder));
         INFO(outcome.out << outcome.err);
-        REQUIRE_THAT(outcome.out, Contains(expected ? "became unstable as expected, see" : "became unstable, see"));
+        REQUIRE_THAT(outcome.out,
+                     Contains(expected ? "became unstable as expected, see" : "became unstable, see"));
         CHECK(outcome.code == (expected ? 0 : 3));
     }
 }
