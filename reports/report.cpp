@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Puts the parts of the report together.
+// Puts the parts of the report together, page by page.
 #include "reports/report.hpp"
+
+#include <algorithm>
 
 #include "reports/page/html.hpp"
 #include "reports/parts/parts.hpp"
-#include "validation/store/atomic_write.hpp"
 
 namespace wetdeck::report {
 namespace {
@@ -15,23 +16,43 @@ std::string title_of(const Summary& summary, const ReportInputs& inputs) {
     return summary.missing.empty() ? title : "INCOMPLETE: " + title;
 }
 
+/// Short enough for the line of links.
+std::string label_of(const AnalysisSpec& scene) {
+    std::string label = scene.scene;
+    std::replace(label.begin(), label.end(), '_', ' ');
+    return label;
+}
+
+void add_statistics_page(Pages& pages, const Summary& summary) {
+    Page& page = pages.add("statistics", "Statistics over all scenes", "statistics");
+    add_verdicts_part(page, summary);
+    add_statistics_part(page, summary);
+    add_convergence_part(page, summary);
+    add_cost_part(page, summary);
+}
+
 }  // namespace
 
 void write_report(const std::filesystem::path& directory, const Summary& summary,
                   const ReportInputs& inputs) {
-    Page page(directory, inputs.plotly, stamp_of(summary));
-    if (about_runs(summary)) {
-        add_verdicts_part(page, summary);
-        add_failures(page, summary);
-        add_front_part(page, summary);
+    Pages pages(directory, inputs.plotly, stamp_of(summary), inputs.single_file);
+    Page& overview = pages.add("index", title_of(summary, inputs), "overview");
+    std::map<std::string, std::string> scene_pages;
+    for (const AnalysisSpec& scene : scenes_of(summary)) {
+        Page& page = pages.add("scene-" + slug(scene.scene), scene.title.empty() ? scene.scene : scene.title,
+                               label_of(scene));
+        scene_pages[scene.scene] = pages.address_of_page(page.name());
+        add_scene_part(page, summary, scene, inputs);
     }
-    add_verification_part(page, summary);
-    add_stress_part(page, summary, inputs);
-    for (const AnalysisSpec& scene : scenes_of(summary)) add_scene_part(page, summary, scene, inputs);
-    if (about_runs(summary)) add_source_figures_part(page, summary);
-    atomic_write(directory / "index.html",
-                 page.html(title_of(summary, inputs), header_markup(summary, inputs, page)));
-    page.remove_stale_figures();
+    if (about_runs(summary)) add_statistics_page(pages, summary);
+    if (!summary.verification.empty())
+        add_verification_part(
+            pages.add("exact-solutions", "Problems with exact solutions", "exact solutions"), summary);
+    if (!summary.stress.empty())
+        add_stress_part(pages.add("hard-cases", "Hard cases", "hard cases"), summary, inputs);
+    if (about_runs(summary)) add_source_figures_part(pages, summary);
+    add_overview(overview, summary, inputs, scene_pages);
+    pages.write();
 }
 
 }  // namespace wetdeck::report

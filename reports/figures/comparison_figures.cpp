@@ -9,6 +9,7 @@
 
 #include "reports/figures/figures.hpp"
 #include "reports/figures/reference_names.hpp"
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
 
 namespace wetdeck::report {
@@ -27,7 +28,9 @@ struct AxesKey {
 
     /// Of figures: the aligned ones stand beside those of the same series over time.
     std::string name() const { return quantity + (aligned ? "-aligned" : ""); }
-    std::string title() const { return quantity + (aligned ? ", aligned on the peaks" : "") + taken; }
+    std::string title(const AnalysisSpec& scene) const {
+        return series_words(scene, quantity) + (aligned ? ", aligned on the peaks" : "") + taken;
+    }
 };
 
 std::string taken_at(const SeriesScaling& scaling) {
@@ -169,7 +172,7 @@ std::string error_text(const Group& group) {
         out += fmt::format("{}{} {}", out.empty() ? "" : "; ", reference_name(c->title, c->reference),
                            number_with_unit(c->nrmse, "-"));
     }
-    return out.empty() ? "no reference" : out;
+    return out;
 }
 
 /// The interval of all comparisons of the group, if they agree.
@@ -200,7 +203,8 @@ Figure comparison_figure(const AnalysisSpec& scene, const AxesKey& key, const Ru
     Figure figure = curve_figure(scene, key, runs);
     const RunSummary& finest = *runs.back();
     figure.name = fmt::format("{}-{}-{}", scene.scene, finest.record.variant, key.name());
-    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, key.title());
+    figure.identifier = key.quantity;
+    figure.title = fmt::format("{}, {}: {}", scene.scene, finest.record.variant, key.title(scene));
     Group group;
     std::vector<PlotSeries> simulations;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -218,8 +222,8 @@ Figure comparison_figure(const AnalysisSpec& scene, const AxesKey& key, const Ru
     if (simulations.empty()) return figure;
     figure.series = with_references(group, std::move(simulations));
     figure.shaded = common_window(group);
-    figure.caption = fmt::format("Program revision {}. NRMSE at the finest spacing: {}.", revision_of(finest),
-                                 error_text(group));
+    if (const std::string errors = error_text(group); !errors.empty())
+        figure.caption = fmt::format("NRMSE at the finest spacing: {}.", errors);
     return figure;
 }
 
@@ -242,7 +246,8 @@ std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs)
     for (const AxesKey& key : keys_of(scene, finest)) {
         Figure figure = curve_figure(scene, key, finest);
         figure.name = fmt::format("{}-variants-{}", scene.scene, key.name());
-        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, key.title());
+        figure.identifier = key.quantity;
+        figure.title = fmt::format("{}, variants at their finest spacing: {}", scene.scene, key.title(scene));
         Group references;  // the same for all variants
         for (std::size_t v = 0; v < finest.size(); ++v) {
             const Group group = group_of(scene, *finest[v], key);
@@ -253,8 +258,9 @@ std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs)
             figure.series.push_back(
                 line(fmt::format("{}, dx = {}", record.variant, spacing_text(record.particle_spacing)),
                      *curve, variant_colour(v)));
-            figure.caption += fmt::format("{}{}: NRMSE {}.", figure.caption.empty() ? "" : " ",
-                                          record.variant, error_text(group));
+            if (const std::string errors = error_text(group); !errors.empty())
+                figure.caption += fmt::format("{}{}: {}.", figure.caption.empty() ? "NRMSE of " : " ",
+                                              record.variant, errors);
         }
         if (references.empty()) continue;
         figure.series = with_references(references, std::move(figure.series));

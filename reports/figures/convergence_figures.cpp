@@ -6,6 +6,7 @@
 #include <map>
 
 #include "reports/figures/figures.hpp"
+#include "reports/figures/words.hpp"
 #include "validation/metrics/curve_convergence.hpp"
 
 namespace wetdeck::report {
@@ -41,9 +42,10 @@ std::vector<Figure> convergence_figures(const Summary& summary, const AnalysisSp
     for (const auto& [quantity, rows] : by_quantity) {
         Figure figure;
         figure.name = fmt::format("{}-convergence-{}", scene.scene, quantity);
-        figure.title = fmt::format("{}: {} against particle spacing", scene.scene, quantity);
+        figure.identifier = quantity;
+        figure.title = fmt::format("{}: {}, by spacing", scene.scene, quantity_words(scene, quantity));
         figure.x = {"particle spacing dx", "m", false, {}};
-        figure.y = {quantity, unit_of_quantity(scene, quantity), false, {}};
+        figure.y = {quantity_words(scene, quantity), unit_of_quantity(scene, quantity), false, {}};
         double dx_max = 0;
         for (const ConvergenceRow* row : rows)
             dx_max = std::max(dx_max, *std::max_element(row->dx.begin(), row->dx.end()));
@@ -89,7 +91,7 @@ std::vector<Figure> curve_convergence_figures(const Summary& summary, const Anal
             if (differences.size() < 2) continue;
             PlotSeries s;
             s.style = Style::line_and_points;
-            s.label = row.series + ", " + row.verdict;
+            s.label = series_words(scene, row.series) + ", " + row.verdict;
             s.marker = static_cast<Marker>(place / 5 % 4);
             s.colour = variant_colour(place++);
             s.data = {{row.dx.begin() + 1, row.dx.end()}, differences};

@@ -14,13 +14,8 @@ Figure budget_figure(const RunSummary& run, const EnergyChanges& energies) {
     figure.name = fmt::format("{}-{}-energy", run.record.scene, run.record.variant);
     figure.title = "Energy change since the start: " + run_name(run);
     const bool bodies = run.record.series.count("body_work") != 0;
-    figure.caption = fmt::format(
-        "Program revision {}. Change of each energy since the start, divided by the initial potential "
-        "energy.{} Largest increase of the total{}: {}.",
-        revision_of(run),
-        bodies ? " The energies are those of the fluid: the total increases by the work of a falling body."
-               : "",
-        bodies ? " minus that work" : "", number_with_unit(run.energy_error, "-"));
+    figure.caption = fmt::format("Largest increase of the total{}: {}.", bodies ? " minus that work" : "",
+                                 number_with_unit(run.energy_error, "-"));
     figure.x = {"time", "s", false, {}};
     figure.y = {"(E − E(0)) / Epot(0)", "-", false, {}};
     const auto add = [&](const char* label, Curve curve, const char* colour, double width) {
@@ -40,13 +35,7 @@ Figure change_figure(const Runs& runs, std::size_t variant) {
     Figure figure;
     figure.name = fmt::format("{}-{}-energy-change", record.scene, record.variant);
     figure.title = fmt::format("{}, {}: change of the total energy", record.scene, record.variant);
-    const bool bodies = record.series.count("body_work") != 0;
-    figure.caption = fmt::format(
-        "Program revision {}. dE: change of the fluid's total energy since the start, divided by the initial "
-        "potential energy. {}",
-        revision_of(*runs.back()),
-        bodies ? "The work of the bodies on the fluid is included."
-               : "Water loses energy where it hits a wall and where a cavity closes.");
+    if (record.series.count("body_work") != 0) figure.caption = "With the work of the bodies on the fluid.";
     figure.x = {"time", "s", false, {}};
     figure.y = {"dE / Epot(0)", "-", false, {}};
     for (std::size_t k = 0; k < runs.size(); ++k) {

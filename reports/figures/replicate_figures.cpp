@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reports/figures/figures.hpp"
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
 
 namespace wetdeck::report {
@@ -43,14 +44,15 @@ Curve normal_distribution(double mean, double deviation) {
     return curve;
 }
 
-Figure distribution_figure(const std::vector<const ReplicateRow*>& rows) {
+Figure distribution_figure(const AnalysisSpec& scene, const std::vector<const ReplicateRow*>& rows) {
     const ReplicateRow& first = *rows.front();
     Figure figure;
     figure.name = fmt::format("{}-replicates-{}", first.scene, first.quantity);
-    figure.title = fmt::format("{}, replicates: {}", first.scene, first.quantity);
-    figure.caption = "Share of the replicates up to each value.";
-    figure.x = {first.quantity, first.unit, false, {}};
-    figure.y = {"share", "-", false, Window{0, 1}};
+    const std::string words = quantity_words(scene, first.quantity);
+    figure.identifier = first.quantity;
+    figure.title = fmt::format("{}, replicates: {}", first.scene, words);
+    figure.x = {words, first.unit, false, {}};
+    figure.y = {"share of the replicates up to the value", "-", false, Window{0, 1}};
     std::size_t place = 0;
     for (const ReplicateRow* row : rows) {
         figure.series.push_back(line(
@@ -82,7 +84,7 @@ std::vector<Figure> replicate_figures(const Summary& summary, const AnalysisSpec
     std::set<std::vector<double>> drawn;  // one value may be compared with several references
     for (const auto& rows : sorted) {
         if (figures.size() == most_figures) break;
-        if (drawn.insert(rows.front()->value).second) figures.push_back(distribution_figure(rows));
+        if (drawn.insert(rows.front()->value).second) figures.push_back(distribution_figure(scene, rows));
     }
     return figures;
 }

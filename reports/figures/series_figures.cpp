@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reports/figures/figures.hpp"
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
 
 namespace wetdeck::report {
@@ -40,19 +41,19 @@ std::vector<std::size_t> shown_rows(const Series& series) {
     return out;
 }
 
-std::string caption_of(const std::string& name, const Series& series, const RunSummary& run) {
-    const std::string description = series.description.empty() ? "" : ": " + series.description;
-    return fmt::format("{}{}. Program revision {}.", name, description, revision_of(run));
+std::string caption_of(const std::string& name, const Series& series) {
+    return series.description.empty() ? "" : fmt::format("{}: {}.", series_words(name), series.description);
 }
 
 Figure profile_figure(const RunSummary& run, const std::string& name, const Series& series,
                       std::size_t variant) {
     Figure figure;
     figure.name = fmt::format("{}-{}-{}", run.record.scene, run.record.variant, name);
-    figure.title = fmt::format("{}: {}", run_name(run), name);
-    figure.caption = caption_of(name, series, run);
+    figure.identifier = name;
+    figure.title = fmt::format("{}: {}", run_name(run), series_words(name));
+    figure.caption = caption_of(name, series);
     figure.x = {"position along the profile", "m", false, {}};
-    figure.y = {name, series.unit, false, {}};
+    figure.y = {series_words(name), series.unit, false, {}};
     const std::vector<std::size_t> rows = shown_rows(series);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const auto begin = series.value.begin() + static_cast<std::ptrdiff_t>(rows[k] * series.columns());
@@ -67,14 +68,15 @@ Figure body_figure(const Runs& finest, const std::string& name) {
     Figure figure;
     const RunRecord& first = finest.front()->record;
     figure.name = fmt::format("{}-{}", first.scene, name);
-    figure.title = fmt::format("{}: {}", first.scene, name);
+    figure.identifier = name;
+    figure.title = fmt::format("{}: {}", first.scene, series_words(name));
     figure.x = {"time", "s", false, {}};
     for (std::size_t v = 0; v < finest.size(); ++v) {
         const auto found = finest[v]->record.series.find(name);
         if (found == finest[v]->record.series.end() || !sound(found->second) || constant(found->second))
             continue;
-        figure.y = {name, found->second.unit, false, {}};
-        figure.caption = caption_of(name, found->second, *finest[v]);
+        figure.y = {series_words(name), found->second.unit, false, {}};
+        figure.caption = caption_of(name, found->second);
         const RunRecord& record = finest[v]->record;
         figure.series.push_back(
             line(fmt::format("{}, dx = {}", record.variant, spacing_text(record.particle_spacing)),
@@ -98,15 +100,15 @@ Figure body_spacing_figure(const Runs& runs_of_variant, const std::string& name)
     Figure figure;
     const RunRecord& finest = runs_of_variant.back()->record;
     figure.name = fmt::format("{}-{}-{}", finest.scene, finest.variant, name);
-    figure.title =
-        fmt::format("{}, {}: {} at different particle spacings", finest.scene, finest.variant, name);
+    figure.identifier = name;
+    figure.title = fmt::format("{}, {}: {}, by spacing", finest.scene, finest.variant, series_words(name));
     figure.x = {"time", "s", false, {}};
     for (std::size_t k = 0; k < runs_of_variant.size(); ++k) {
         const RunRecord& record = runs_of_variant[k]->record;
         const auto found = record.series.find(name);
         if (found == record.series.end() || !sound(found->second) || constant(found->second)) continue;
-        figure.y = {name, found->second.unit, false, {}};
-        figure.caption = caption_of(name, found->second, *runs_of_variant[k]);
+        figure.y = {series_words(name), found->second.unit, false, {}};
+        figure.caption = caption_of(name, found->second);
         figure.series.push_back(line("dx = " + spacing_text(record.particle_spacing),
                                      {found->second.time, found->second.value},
                                      run_colour(0, k, runs_of_variant.size())));

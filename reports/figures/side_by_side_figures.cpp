@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reports/figures/figures.hpp"
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
 #include "validation/metrics/resample.hpp"
 
@@ -27,6 +28,7 @@ Figure side_by_side_figure(const AnalysisSpec& scene, const SideBySide& entry, c
     }
     figure.name = scene.scene + "-" + slug(entry.title) + "-curves";
     figure.title = entry.title;
+    figure.identifier = entry.series;
     figure.x = {own_clock ? "time" : compared->x_label, own_clock ? "s" : "", false, {}};
     const Runs chosen = side_by_side_runs(runs, entry);
     for (std::size_t v = 0; v < chosen.size(); ++v) {
@@ -34,9 +36,11 @@ Figure side_by_side_figure(const AnalysisSpec& scene, const SideBySide& entry, c
         const SeriesCurve series = series_curve(record, entry.series, scaling);
         if (series.curve.x.size() < 2) continue;
         const auto found = record.series.find(entry.series);
-        figure.y = {scaled ? compared->y_label : entry.series, scaled ? "" : found->second.unit, false, {}};
-        figure.caption = fmt::format("{}: {}. Program revision {}.", entry.series, found->second.description,
-                                     revision_of(*chosen[v]));
+        figure.y = {scaled ? compared->y_label : series_words(scene, entry.series),
+                    scaled ? "" : found->second.unit,
+                    false,
+                    {}};
+        figure.caption = fmt::format("{}: {}.", series_words(scene, entry.series), found->second.description);
         figure.series.push_back(
             line(fmt::format("{}, dx = {}", record.variant, spacing_text(record.particle_spacing)),
                  series.curve, variant_colour(v)));

@@ -8,6 +8,7 @@
 
 #include "reports/figures/figures.hpp"
 #include "reports/figures/reference_names.hpp"
+#include "reports/figures/words.hpp"
 
 namespace wetdeck::report {
 namespace {
@@ -95,10 +96,12 @@ Figure speed_error_figure(const Summary& summary, const AnalysisSpec& scene) {
     Figure figure;
     figure.name = scene.scene + "-speed-error";
     figure.title = scene.scene + ": speed against error";
-    figure.caption = fmt::format("Error of {}{}.", scene.error_quantity,
-                                 targets.size() == 1 ? " against " + *targets.begin() : "");
+    const std::string words = quantity_words(scene, scene.error_quantity);
+    figure.identifier = scene.error_quantity;
+    figure.caption =
+        fmt::format("Error of the {}{}.", words, targets.size() == 1 ? " against " + *targets.begin() : "");
     figure.x = {"cost", "core-seconds", true, {}};
-    figure.y = {(relative ? "relative error: " : "error: ") + scene.error_quantity,
+    figure.y = {(relative ? "relative error: " : "error: ") + words,
                 relative ? "-" : unit_of_quantity(scene, scene.error_quantity),
                 true,
                 {}};

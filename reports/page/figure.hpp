@@ -44,7 +44,9 @@ PlotSeries line(std::string label, Curve data, std::string colour);
 struct Figure {
     std::string name;  ///< stem of its files: lower-case letters, digits, hyphens
     std::string title;
-    std::string caption;  ///< content, program revision, and the error of the plotted quantity
+    std::string identifier;  ///< of what is drawn, for scripts: the tooltip of the title
+    std::string
+        caption;  ///< what the title and the section do not say; one that a section has already is left out
     Axis x;
     Axis y;
     std::vector<PlotSeries> series;
@@ -74,8 +76,9 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
 /// True if a program of that name is on the PATH.
 bool gnuplot_found();
 
-/// Draws `figure` to an SVG file, which appears whole or not at all, and returns its text. Throws
-/// EnvironmentError with the message of gnuplot if it fails.
+/// Draws `figure` to an SVG file, which appears whole or not at all and has title and stamp, and returns the
+/// drawing without these for a page that has them already. Throws EnvironmentError with the message of
+/// gnuplot if it fails.
 std::string write_svg(const Figure& figure, const std::filesystem::path& path);
 
 /// The same drawing in fewer bytes: without empty groups, coordinates to a tenth of a pixel, texts untouched.

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "reports/page/figure.hpp"
+#include "reports/page/html.hpp"
 #include "reports/page/strings.hpp"
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
@@ -127,6 +129,9 @@ std::string last_line(const std::string& text) {
     return text.substr(text.find_last_of('\n') + 1);
 }
 
+constexpr const char* drawing_fonts = "DejaVu Sans,Verdana,sans-serif";
+constexpr int drawing_width = 620;  // [px]
+
 /// Canvas and legend. The legend has its own strip below the axes: gnuplot's automatic one can overlap the
 /// label of the axis.
 std::string canvas(const Figure& figure) {
@@ -138,16 +143,40 @@ std::string canvas(const Figure& figure) {
     }
     const long columns = longest > 26 ? 1 : 2;
     const long rows = std::max(1L, (entries + columns - 1) / columns);
-    const long strip = 21 * rows + (figure.stamp.empty() ? 6 : 18);  // [px]
-    const auto height = static_cast<double>(370 + strip);
+    const long strip = 21 * rows + 6;  // [px]
+    const auto height = static_cast<double>(350 + strip);
     return fmt::format(
-        "set terminal svg size 620,{:.0f} dynamic enhanced font 'DejaVu Sans,12' background 'white'\n"
+        "set terminal svg size {},{:.0f} dynamic enhanced font 'DejaVu Sans,12' background 'white'\n"
         "set encoding utf8\nset border 3 lc rgb '#444444'\nset tics nomirror\n"
-        "set grid lc rgb '#e3e6ea' lt 1 lw 0.6\nset tmargin 2.5\nset bmargin at screen {:.4f}\n"
+        "set grid lc rgb '#e3e6ea' lt 1 lw 0.6\nset tmargin 1\nset bmargin at screen {:.4f}\n"
         "set key at screen 0.1, screen {:.4f} left top Left reverse samplen 2 spacing 1.1 vertical maxrows "
         "{} "
         "noenhanced\n",
-        height, static_cast<double>(strip + 58) / height, static_cast<double>(strip) / height, rows);
+        drawing_width, height, static_cast<double>(strip + 58) / height, static_cast<double>(strip) / height,
+        rows);
+}
+
+/// The drawing as a file that stands alone: with its title above and its stamp below.
+std::string with_title(const std::string& svg, const Figure& figure) {
+    static const std::string begin = fmt::format("viewBox=\"0 0 {} ", drawing_width);
+    constexpr int above = 26, below = 14;  // [px]
+    const std::size_t box = svg.find(begin), open = svg.find('>', box), close = svg.rfind("</svg>");
+    if (box == std::string::npos || close == std::string::npos) return svg;
+    const int height = std::atoi(svg.c_str() + box + begin.size());
+    const int whole = height + above + below;
+    const std::size_t end = svg.find('"', box + begin.size());
+    return svg.substr(0, box) + fmt::format("viewBox=\"0 {} {} {}", -above, drawing_width, whole) +
+           svg.substr(end, open + 1 - end) +
+           fmt::format("\n<rect y=\"{}\" width=\"{}\" height=\"{}\" fill=\"#ffffff\"/>", -above,
+                       drawing_width, whole) +
+           svg.substr(open + 1, close - open - 1) +
+           fmt::format(
+               "<g font-family=\"{0}\"><text x=\"{1}\" y=\"-8\" font-size=\"12\" "
+               "text-anchor=\"middle\">{2}</text>\n<text x=\"{3}\" y=\"{4}\" font-size=\"7\" "
+               "text-anchor=\"end\" fill=\"#7b8791\">{5}</text></g>\n",
+               drawing_fonts, drawing_width / 2, escape(figure.title), drawing_width - 6, height + 8,
+               escape(figure.stamp)) +
+           svg.substr(close);
 }
 
 }  // namespace
@@ -155,7 +184,6 @@ std::string canvas(const Figure& figure) {
 std::string gnuplot_script(const Figure& figure, const std::filesystem::path& output) {
     std::string out = canvas(figure);
     out += "set output " + quoted(output.string()) + "\n";
-    out += "set title " + quoted(figure.title) + " noenhanced\n";
     const Window x_range = data_range(figure, true);
     out += axis_commands('x', figure.x, x_range) + axis_commands('y', figure.y, data_range(figure, false));
     if (figure.shaded) {
@@ -165,11 +193,6 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
             "set object rectangle from {:.9g},graph 0 to {:.9g},graph 1 behind fc rgb '#f3f1e6' fs solid "
             "noborder\n",
             begin, end);
-    }
-    if (!figure.stamp.empty()) {
-        out += fmt::format(
-            "set label {} at screen 0.99, screen 0.016 right noenhanced font ',7' tc rgb '#7b8791'\n",
-            quoted(figure.stamp));
     }
     out += point_labels(figure);
     std::string clauses;
@@ -203,8 +226,8 @@ std::string write_svg(const Figure& figure, const std::filesystem::path& path) {
     if (drawn.empty()) throw EnvironmentError(path.string() + ": gnuplot drew nothing");
     std::string svg = smaller_svg(drawn);
     // The drawing is seen on machines that lack the font.
-    replace_all(svg, "font-family=\"DejaVu Sans", "font-family=\"DejaVu Sans,Verdana,sans-serif");
-    atomic_write(path, svg);
+    replace_all(svg, "font-family=\"DejaVu Sans", fmt::format("font-family=\"{}", drawing_fonts));
+    atomic_write(path, with_title(svg, figure));
     return svg;
 }
 

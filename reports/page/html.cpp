@@ -196,17 +196,30 @@ Cell markup(std::string html, std::string css_class, std::size_t rows) {
     return {std::move(html), std::move(css_class), rows};
 }
 
+std::string named_words(std::string_view words, std::string_view identifier) {
+    if (identifier.empty()) return escape(words);
+    return fmt::format("<span title=\"{}\">{}</span>", escape(identifier), escape(words));
+}
+
+Cell named(std::string_view words, std::string_view identifier, std::string css_class, std::size_t rows) {
+    return markup(named_words(words, identifier), std::move(css_class), rows);
+}
+
 Table::Table(const std::vector<std::string>& headers, std::string css_class)
-    : css_class_(std::move(css_class)) {
+    : css_class_(std::move(css_class)), columns_(headers.size()) {
+    if (css_class_.find("stacked") != std::string::npos) labels_ = headers;
     for (const std::string& header : headers) head_ += "<th scope=\"col\">" + escape(header) + "</th>";
 }
 
 void Table::add(const std::vector<Cell>& cells) {
     body_ += "<tr>";
-    for (const Cell& cell : cells) {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const Cell& cell = cells[k];
         const std::string rows = cell.rows > 1 ? fmt::format(" rowspan=\"{}\"", cell.rows) : "";
         const std::string css = cell.css_class.empty() ? "" : fmt::format(" class=\"{}\"", cell.css_class);
-        body_ += fmt::format("<td{}{}>{}</td>", rows, css, cell.html);
+        const std::string label =
+            k < labels_.size() ? fmt::format(" data-label=\"{}\"", escape(labels_[k])) : "";
+        body_ += fmt::format("<td{}{}{}>{}</td>", rows, css, label, cell.html);
     }
     body_ += "</tr>\n";
     ++rows_;
@@ -214,8 +227,9 @@ void Table::add(const std::vector<Cell>& cells) {
 
 std::string Table::html() const {
     const std::string css = css_class_.empty() ? "" : " " + css_class_;
-    return "<div class=\"table" + css + "\"><table><thead><tr>" + head_ + "</tr></thead>\n<tbody>\n" + body_ +
-           "</tbody></table></div>\n";
+    const std::string many = columns_ > 6 ? fmt::format(" columns-{}", columns_ > 10 ? "most" : "many") : "";
+    return "<div class=\"table" + css + many + "\"><table><thead><tr>" + head_ + "</tr></thead>\n<tbody>\n" +
+           body_ + "</tbody></table></div>\n";
 }
 
 std::string paragraph(std::string_view text, std::string_view css_class) {

@@ -56,20 +56,29 @@ Cell value(std::optional<double> number_or_nothing, std::string_view unit = "-",
 Cell whole(double count_value);
 /// "within tolerance", "outside tolerance" or an em dash.
 Cell verdict(std::optional<bool> within);
+/// Words for readers, with the identifier for scripts in the tooltip.
+std::string named_words(std::string_view words, std::string_view identifier);
+Cell named(std::string_view words, std::string_view identifier, std::string css_class = "",
+           std::size_t rows = 1);
 /// Markup that the caller made safe.
 Cell markup(std::string html, std::string css_class = "", std::size_t rows = 1);
 
-/// A table that scrolls inside its own box on narrow screens.
+/// A table that scrolls inside its own box on narrow screens. In print it is as wide as the paper: cells
+/// wrap, and tables of many columns have smaller letters (classes `columns-many`, `columns-most`).
 class Table {
   public:
-    /// `css_class`: "compact" for many columns of numbers.
+    /// `css_class`: "compact" for many columns of numbers; "stacked" for a table whose rows become blocks on
+    /// narrow screens, with the header of each cell before it.
     explicit Table(const std::vector<std::string>& headers, std::string css_class = "");
     void add(const std::vector<Cell>& cells);
+    std::size_t rows() const { return static_cast<std::size_t>(rows_); }
     bool empty() const { return rows_ == 0; }
     std::string html() const;
 
   private:
     std::string css_class_;
+    std::size_t columns_;
+    std::vector<std::string> labels_;  ///< of the cells of a stacked table
     std::string head_;
     std::string body_;
     int rows_ = 0;

@@ -41,9 +41,10 @@ struct ReportInputs {
     std::map<std::string, std::string> sketches;            ///< SVG of the set-up, by scene
     std::map<std::string, std::vector<SchemeRow>> schemes;  ///< by scene
     std::map<std::string, std::string> instabilities;       ///< PNG, by StressRow::picture
-    std::string plotly;   ///< text of plotly.js; empty: the figures are static
-    std::string note;     ///< one sentence on how this report was made
-    std::string subject;  ///< of the title, for example "single runs"; empty: the tier of the summary
+    std::string plotly;        ///< text of plotly.js; empty: the figures are static
+    std::string note;          ///< one sentence on how this report was made
+    bool single_file = false;  ///< all pages in index.html, without a link to another file
+    std::string subject;       ///< of the title, for example "single runs"; empty: the tier of the summary
 };
 
 /// Text of the plotly.js that was installed or built with the program, empty if there is none.

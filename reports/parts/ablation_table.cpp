@@ -2,6 +2,7 @@
 // Cost and benefit of each ingredient of the model.
 #include <fmt/format.h>
 
+#include "reports/figures/words.hpp"
 #include "reports/parts/tables.hpp"
 
 namespace wetdeck::report {
@@ -19,7 +20,8 @@ std::string ablation_table(const Summary& summary, const AnalysisSpec& scene) {
     }
     if (table.empty())
         return paragraph("There is no ablation study of this scene; `wetdeck ablate` runs one.", "soft");
-    const std::string error = scene.error_quantity.empty() ? "the scene's error" : scene.error_quantity;
+    const std::string error =
+        scene.error_quantity.empty() ? "the scene's error" : quantity_words(scene, scene.error_quantity);
     return table.html() +
            paragraph(
                "Each row is a run without one ingredient of the model. Change of the error: " + error +

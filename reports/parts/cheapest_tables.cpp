@@ -2,6 +2,7 @@
 // The cost of an accuracy, and other codes.
 #include <fmt/format.h>
 
+#include "reports/figures/words.hpp"
 #include "reports/parts/tables.hpp"
 
 namespace wetdeck::report {
@@ -22,12 +23,13 @@ std::string cheapest_table(const Summary& summary) {
         Table table({"quantity", "cheapest within 5 %", "cheapest within 10 %", "smallest error"}, "compact");
         for (const CheapestRow& row : summary.cheapest) {
             if (row.scene != scene.scene) continue;
-            table.add({markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>", escape(row.quantity),
+            table.add({markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>",
+                                          named_words(quantity_words(scene, row.quantity), row.quantity),
                                           escape(row.against)),
                               "wide"),
                        run_cell(row.within_5), run_cell(row.within_10), run_cell(row.best)});
         }
-        if (!table.empty()) out += details(scene.scene, table.html());
+        if (!table.empty()) out += details(scene.title.empty() ? scene.scene : scene.title, table.html());
     }
     if (out.empty()) return "";
     return "<h4>Cheapest runs within 5 % and 10 %</h4>\n" + out +
@@ -42,8 +44,9 @@ std::string cheapest_table(const Summary& summary) {
 std::string peer_points_table(const Summary& summary) {
     Table table({"scene", "other code", "compared with", "error", "core-seconds", "conditions"}, "compact");
     for (const PeerPoint& point : summary.peers) {
-        table.add({markup(escape(point.scene), "name"), text(point.name), text(point.reference),
-                   value(point.error), point.core_s ? value(point.core_s) : text("not stated"),
+        table.add({named(scene_words(summary, point.scene), point.scene), text(point.name),
+                   text(point.reference), value(point.error),
+                   point.core_s ? value(point.core_s) : text("not stated"),
                    markup(escape(point.conditions.empty() ? "not stated" : point.conditions), "wide")});
     }
     if (table.empty()) return "";

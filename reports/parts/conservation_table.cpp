@@ -46,7 +46,10 @@ std::string conservation_table(const Runs& runs) {
         "Energy growth: largest rise of the total energy above its lowest earlier value, divided by the "
         "larger "
         "of the range and the initial value of the potential energy; losses are not counted. Energy change: "
-        "change of the total energy from start to end, divided by the initial potential energy. Mass drift: "
+        "change of the total energy from start to end, divided by the initial potential energy; in the "
+        "figures dE, "
+        "and each energy likewise. The energies are those of the fluid: the total increases by the work of a "
+        "falling body, and water loses energy where it hits a wall and where a cavity closes. Mass drift: "
         "largest deviation from the initial mass. Density error: largest relative deviation from the "
         "reference density.";
     if (momentum) explanation += " Momentum error: largest absolute value of the momentum balance.";

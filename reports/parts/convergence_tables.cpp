@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "reports/figures/words.hpp"
 #include "reports/parts/by_variant.hpp"
+#include "reports/parts/parts.hpp"
 #include "reports/parts/tables.hpp"
 #include "validation/metrics/curve_convergence.hpp"
 
@@ -29,15 +31,21 @@ std::string convergence_verdict(const ConvergenceRow& row) {
     return row.verdict + ", asymptotic ratio " + number(*row.asymptotic_ratio);
 }
 
+/// Of a row that converges; the order of values that drift apart says nothing.
+Cell order_cell(std::optional<double> order, const std::string& verdict) {
+    return order && *order > 0 && verdict != "divergent" ? value(order) : text("—");
+}
+
 std::string quantities_of(const Summary& summary, const std::string& scene, const std::string& variant) {
     Table table(
         {"quantity", "dx [m]", "value", "order", "extrapolated", "uncertainty at finest dx", "verdict"},
         "compact");
     for (const ConvergenceRow& row : summary.convergence) {
         if (row.scene != scene || row.variant != variant) continue;
-        table.add({markup(escape(row.qoi), "name"), markup(joined(row.dx, 4), "number"),
-                   markup(joined(row.value, 4), "number"), value(row.order), value(row.extrapolated, "-", 4),
-                   markup(numerical_uncertainty(row), "number"), text(convergence_verdict(row))});
+        table.add({named(quantity_words(summary, scene, row.qoi), row.qoi), markup(joined(row.dx, 4)),
+                   markup(joined(row.value, 4)), order_cell(row.order, row.verdict),
+                   value(row.extrapolated, "-", 4), markup(numerical_uncertainty(row)),
+                   text(convergence_verdict(row))});
     }
     return table.empty() ? "" : table.html();
 }
@@ -58,8 +66,8 @@ std::string curves_of(const Summary& summary, const std::string& scene, const st
     for (const CurveConvergenceRow& row : summary.curve_convergence) {
         if (row.scene != scene || row.variant != variant) continue;
         const bool judged = row.dx.size() > 2;
-        table.add({markup(escape(row.series), "name"), markup(joined(row.dx), "number"),
-                   markup(in_percent(relative_differences(row)), "number"), value(row.order),
+        table.add({named(series_words(row.series), row.series), markup(joined(row.dx)),
+                   markup(in_percent(relative_differences(row))), order_cell(row.order, row.verdict),
                    percent(relative_gci(row)), text(judged ? number(100 * row.monotone_share) + " %" : "—"),
                    text(row.verdict)});
     }
@@ -67,6 +75,18 @@ std::string curves_of(const Summary& summary, const std::string& scene, const st
 }
 
 }  // namespace
+
+std::string convergence_overview(const Summary& summary) {
+    std::string out;
+    for (const AnalysisSpec& scene : scenes_of(summary)) {
+        const Runs runs = runs_of(summary, scene);
+        if (runs.empty()) continue;
+        const std::string& variant = runs.front()->record.variant;
+        const std::string table = quantities_of(summary, scene.scene, variant);
+        if (!table.empty()) out += details(fmt::format("{}, {}", scene.title, variant), table, out.empty());
+    }
+    return out.empty() ? paragraph("There are too few spacings to judge convergence.", "soft") : out;
+}
 
 std::string convergence_table(const Summary& summary, const AnalysisSpec& scene) {
     const std::string out = by_variant(variants_of(runs_of(summary, scene)), [&](const std::string& variant) {
@@ -94,6 +114,14 @@ std::string curve_convergence_table(const Summary& summary, const AnalysisSpec& 
                "the two finest differences. Without monotonic convergence the index is undefined, and the "
                "last difference is the only estimate.",
                "soft");
+}
+
+void add_convergence_part(Page& page, const Summary& summary) {
+    page.section(2, "Convergence");
+    page.add(paragraph(
+        "Quantities of the default variant of each scene; the page of a scene has all variants, whole "
+        "curves and figures."));
+    page.add(convergence_overview(summary));
 }
 
 }  // namespace wetdeck::report

@@ -2,6 +2,7 @@
 // How values scatter among runs that differ by the arrangement of the particles alone.
 #include <fmt/format.h>
 
+#include "reports/figures/words.hpp"
 #include "reports/parts/tables.hpp"
 
 namespace wetdeck::report {
@@ -14,11 +15,11 @@ std::string replicates_table(const Summary& summary, const AnalysisSpec& scene) 
     for (const ReplicateRow& row : summary.replicates) {
         if (row.scene != scene.scene) continue;
         dx = row.dx;
-        table.add({markup(escape(row.variant), "name"), text(row.quantity),
-                   whole(static_cast<double>(row.value.size())), value(row.mean, row.unit),
-                   value(row.deviation, row.unit), text(number(row.low, 4) + " to " + number(row.high, 4)),
-                   value(row.reference, row.unit), value(row.u_reference, row.unit),
-                   value(row.area, row.unit)});
+        table.add(
+            {markup(escape(row.variant), "name"), named(quantity_words(scene, row.quantity), row.quantity),
+             whole(static_cast<double>(row.value.size())), value(row.mean, row.unit),
+             value(row.deviation, row.unit), text(number(row.low, 4) + " to " + number(row.high, 4)),
+             value(row.reference, row.unit), value(row.u_reference, row.unit), value(row.area, row.unit)});
     }
     if (table.empty()) return "";
     return details("Values of all replicates", table.html()) +

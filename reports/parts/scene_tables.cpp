@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "reports/figures/words.hpp"
 #include "reports/parts/by_variant.hpp"
 #include "reports/parts/tables.hpp"
 
@@ -41,13 +42,13 @@ std::string expectation(const QuantityResult& q) {
     return out;
 }
 
-std::string quantities_of_variant(const Runs& runs) {
+std::string quantities_of_variant(const AnalysisSpec& scene, const Runs& runs) {
     std::vector<std::string> headers{"quantity"};
     for (const RunSummary* run : runs) headers.push_back("dx " + spacing_text(run->record.particle_spacing));
     headers.insert(headers.end(), {"expected", "at the finest spacing", "source"});
     Table table(headers);
     for (const std::string& name : quantity_names(runs)) {
-        std::vector<Cell> row{markup(escape(name), "name")};
+        std::vector<Cell> row{named(quantity_words(scene, name), name)};
         const QuantityResult* last = nullptr;
         for (const RunSummary* run : runs) {
             const QuantityResult* q = find_quantity(*run, name);
@@ -66,7 +67,7 @@ std::string quantities_of_variant(const Runs& runs) {
 /// The cell that the rows of one comparison share.
 Cell comparison_cell(const ComparisonResult& c, std::size_t rows) {
     return {fmt::format("<b>{}</b><br>{}<br><span class=\"soft\">reference uncertainty: {}</span>",
-                        escape(c.title), escape(c.reference), uncertainty_text(c)),
+                        named_words(c.title, c.quantity), escape(c.reference), uncertainty_text(c)),
             "", rows};
 }
 
@@ -172,9 +173,9 @@ std::string schemes_table(const std::vector<SchemeRow>& rows) {
     return table.html();
 }
 
-std::string quantities_table(const Runs& runs) {
+std::string quantities_table(const AnalysisSpec& scene, const Runs& runs) {
     const std::string out = by_variant(variants_of(runs), [&](const std::string& variant) {
-        return quantities_of_variant(with_variant(runs, variant));
+        return quantities_of_variant(scene, with_variant(runs, variant));
     });
     return out + paragraph("✓ within, ✗ outside the stated tolerance; no mark: no expected value.", "soft");
 }

@@ -15,7 +15,7 @@ void add_side_by_side_part(Page& page, const AnalysisSpec& scene, const Runs& ru
         const bool pictured = pictures != inputs.side_by_side.end() && pictures->second.size() > 1;
         const Figure figure = side_by_side_figure(scene, entry, runs);
         if (!pictured && figure.series.size() < 2) continue;
-        if (first) page.section(3, "Variants side by side", scene.scene);
+        if (first) page.section(2, "Variants side by side", scene.scene);
         first = false;
         page.anchor(scene.scene + "-" + slug(entry.title), entry.title);
         page.add("<h4>" + escape(entry.title) + "</h4>\n");

@@ -2,6 +2,7 @@
 // The error by the sound speed beside that by the spacing, and the value without either.
 #include <fmt/format.h>
 
+#include "reports/figures/words.hpp"
 #include "reports/parts/tables.hpp"
 
 namespace wetdeck::report {
@@ -24,7 +25,8 @@ std::string sound_speed_table(const Summary& summary, const AnalysisSpec& scene)
         if (row.scene != scene.scene) continue;
         const std::string spread =
             row.u_limit ? " ± " + number(*row.u_limit) : " ± at least " + number(row.u_sound);
-        table.add({markup(escape(row.variant), "name"), text(row.quantity), text(listed(row.sound_speed)),
+        table.add({markup(escape(row.variant), "name"),
+                   named(quantity_words(scene, row.quantity), row.quantity), text(listed(row.sound_speed)),
                    text(fmt::format("{} (dx {} m)", listed(row.value), number(row.dx, 4))),
                    text(signed_number(row.sound_part)),
                    text(fmt::format("{} (dx {} m)", number(row.finest_value), number(row.finest_dx, 4))),

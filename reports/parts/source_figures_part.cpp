@@ -11,20 +11,20 @@
 namespace wetdeck::report {
 namespace {
 
-std::string links_to(const Page& page, const SourceFigure& figure) {
+std::string links_to(const Pages& pages, const SourceFigure& figure) {
     std::string links;
     for (const std::string& place : figure.places) {
-        for (const std::string& anchor : page.anchors_like(place)) {
-            links += fmt::format("{}<a href=\"#{}\">{}</a>", links.empty() ? "" : "<br>", anchor,
-                                 escape(page.title_of(anchor)));
+        for (const std::string& anchor : pages.anchors_like(place)) {
+            links += fmt::format("{}<a href=\"{}\">{}</a>", links.empty() ? "" : "<br>",
+                                 pages.address_of(anchor), escape(pages.title_of(anchor)));
         }
     }
     return links;
 }
 
 /// The curves of others that the figure shows: what there is of them leads to the list of references.
-std::string curves_of(const Page& page, const AnalysisSpec& scene, const SourceFigure& figure) {
-    const std::vector<std::string> lists = page.anchors_like("section-" + slug(scene.scene) + "-provenance");
+std::string curves_of(const Pages& pages, const AnalysisSpec& scene, const SourceFigure& figure) {
+    const std::vector<std::string> lists = pages.anchors_like("section-" + slug(scene.scene) + "-provenance");
     std::string out;
     for (const SourceCurve& curve : figure.curves) {
         const std::string file =
@@ -35,7 +35,7 @@ std::string curves_of(const Page& page, const AnalysisSpec& scene, const SourceF
         else if (lists.empty())
             out += file;
         else
-            out += fmt::format("<a href=\"#{}\">{}</a>", lists.front(), file);
+            out += fmt::format("<a href=\"{}\">{}</a>", pages.address_of(lists.front()), file);
     }
     return out.empty() ? "—" : out;
 }
@@ -58,15 +58,15 @@ std::vector<std::string> sources_of(const AnalysisSpec& scene) {
     return sources;
 }
 
-std::string figures_table(const Page& page, const Summary& summary, const AnalysisSpec& scene,
+std::string figures_table(const Pages& pages, const Summary& summary, const AnalysisSpec& scene,
                           const std::string& source) {
     Table table({"figure", "content", "place in this report", "remark", "curves of others in it"});
     for (const SourceFigure& figure : scene.source_figures) {
         if (figure.source != source) continue;
-        const std::string links = links_to(page, figure);
+        const std::string links = links_to(pages, figure);
         table.add({text(figure.number), text(figure.shows),
                    links.empty() ? text(reason_for_absence(summary, scene, figure)) : markup(links),
-                   text(figure.remark), markup(curves_of(page, scene, figure))});
+                   text(figure.remark), markup(curves_of(pages, scene, figure))});
     }
     return table.html();
 }
@@ -96,17 +96,17 @@ std::vector<Block> blocks_of(const std::vector<AnalysisSpec>& scenes) {
 
 }  // namespace
 
-void add_source_figures_part(Page& page, const Summary& summary) {
+void add_source_figures_part(Pages& pages, const Summary& summary) {
     const std::vector<AnalysisSpec> scenes = scenes_of(summary);
     const auto has_figures = [](const AnalysisSpec& scene) { return !scene.source_figures.empty(); };
     if (std::none_of(scenes.begin(), scenes.end(), has_figures)) return;
-    page.section(2, "Figures of the sources");
+    Page& page = pages.add("sources", "Figures of the sources", "sources");
     page.add(
         paragraph("Where this report shows what the figures of the sources show, and whether the measured "
                   "or computed curves of others in them are at hand."));
     for (const Block& block : blocks_of(scenes))
         page.add("<h4>" + escape(block.source) + "</h4>\n" +
-                 figures_table(page, summary, *block.scene, block.source));
+                 figures_table(pages, summary, *block.scene, block.source));
 }
 
 }  // namespace wetdeck::report

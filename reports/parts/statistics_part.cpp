@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/figures/figures.hpp"
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
 #include "reports/parts/parts.hpp"
 
@@ -32,8 +33,10 @@ std::string points_table(const Summary& summary, bool counted) {
                 "compact");
     for (const ScatterPoint& p : summary.scatter) {
         if (p.counted != counted) continue;
-        table.add({text(p.quantity_class), text(fmt::format("{}, {}", p.scene, p.variant)), text(p.quantity),
-                   text(p.against), value(p.expected, p.unit), value(p.predicted, p.unit),
+        table.add({text(p.quantity_class),
+                   markup(named_words(scene_words(summary, p.scene), p.scene) + ", " + escape(p.variant)),
+                   named(quantity_words(summary, p.scene, p.quantity), p.quantity), text(p.against),
+                   value(p.expected, p.unit), value(p.predicted, p.unit),
                    counted ? text(p.u_data ? number(100 * *p.u_data) + " %" : "unknown") : text(p.dropped)});
     }
     return table.empty() ? paragraph("None.", "soft") : table.html();

@@ -104,7 +104,6 @@ std::string stress_table(const SchemeRows& all, const ReportInputs& inputs, cons
 void add_stress_part(Page& page, const Summary& summary, const ReportInputs& inputs) {
     if (summary.stress.empty()) return;
     const SchemeRows all(summary.stress);
-    page.section(2, "Hard cases");
     page.add(counts_table(all));
     const std::string unstable =
         stress_table(all, inputs, [&](const StressRow& row) { return all.by_default(row) && !row.survived; });

@@ -15,7 +15,7 @@ namespace wetdeck::report {
 std::string deviations_table(const AnalysisSpec& scene);
 /// One row a key in which a scheme differs from that of the source, one column a variant that differs in any.
 std::string schemes_table(const std::vector<SchemeRow>& rows);
-std::string quantities_table(const Runs& runs);
+std::string quantities_table(const AnalysisSpec& scene, const Runs& runs);
 /// Empty without statements.
 std::string statements_table(const Summary& summary, const AnalysisSpec& scene);
 std::string comparison_tables(const Runs& runs);
@@ -42,11 +42,21 @@ std::string references_table(const Runs& runs);
 std::string unused_references_table(const AnalysisSpec& scene);
 std::string provenance_table(const Runs& runs);
 
+/// Runs of all scenes that became unstable although nobody expects it or failed, and missing runs; empty
+/// without any.
+std::string incomplete_table(const Summary& summary);
+/// Convergence of the quantities of each scene's default variant.
+std::string convergence_overview(const Summary& summary);
+
 /// Over all scenes; empty without rows. The cheapest run within an error, and other codes.
 std::string cheapest_table(const Summary& summary);
 std::string peer_points_table(const Summary& summary);
 
 /// Cells and texts that several tables share.
+/// Values and curves of a completed run that lie outside their tolerance or could not be computed.
+std::size_t outside_count(const AnalysisSpec& scene, const RunSummary& run);
+/// The largest part of the uncertainty as what would make it smaller: "finer spacing".
+std::string what_would_help(const ValidationRow& row);
 Cell status_cell(const RunRecord& record);
 /// Empty where there is no reference to compare with; false also where the run ended too early.
 std::optional<bool> verdict_of(const ComparisonResult& comparison);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "reports/figures/words.hpp"
 #include "reports/parts/tables.hpp"
 
 namespace wetdeck::report {
@@ -63,13 +64,15 @@ std::string tables_of(const std::vector<ValidationRow>& rows, const Summary& sum
             if (row.scene != scene.scene || row.variant != variant) continue;
             const std::string kind = row.kind ? "" : ", kind not stated";
             table.add({markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}{}</span>",
-                                          escape(row.quantity), escape(row.against), kind),
+                                          named_words(quantity_words(scene, row.quantity), row.quantity),
+                                          escape(row.against), kind),
                               "wide"),
-                       value(row.dx, "-", 4), value(row.simulated, row.unit), value(row.reference, row.unit),
+                       value(row.dx, "-", 4), value(row.simulated, unit_words(scene, row)),
+                       value(row.reference, unit_words(scene, row)),
                        markup(escape(error_text(row)), "number"), numerical_cell(row),
                        with_basis(row, "u_input", row.u_input), with_basis(row, "u_data", row.u_data),
-                       markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>", escape(row.verdict),
-                                          escape(row.sentence)),
+                       markup(fmt::format("<b>{}</b><br><span class=\"soft\">{}</span>",
+                                          escape(verdict_words(scene, row)), escape(row.sentence)),
                               "wide")});
         }
         if (table.empty()) continue;
@@ -120,8 +123,9 @@ std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene)
         if (row.scene != scene.scene) continue;
         const double sum = squares.at({row.variant, row.quantity});
         table.add({markup(escape(row.key), "name"), text(number(row.low, 4) + " to " + number(row.high, 4)),
-                   value(row.uncertainty), text(row.quantity), value(row.value_low, row.unit),
-                   value(row.value_high, row.unit), value(row.u_input, row.unit),
+                   value(row.uncertainty), named(quantity_words(scene, row.quantity), row.quantity),
+                   value(row.value_low, row.unit), value(row.value_high, row.unit),
+                   value(row.u_input, row.unit),
                    text(sum > 0 ? number(100 * row.u_input * row.u_input / sum) + " %" : "—")});
     }
     if (table.empty()) {
@@ -152,7 +156,7 @@ std::string sensitivity_table(const Summary& summary, const AnalysisSpec& scene)
 std::string agreement_table(const Runs& runs) {
     std::string out;
     for (const RunSummary* run : finest_of_each(runs)) {
-        Table table({"comparison", "peak", "time of peak", "rise time", "impulse", "mean", "magnitude",
+        Table table({"comparison", "peak", "time of peak", "rise time", "integral", "mean", "magnitude",
                      "phase", "combined", "amplitude factor", "time shift", "shape"},
                     "compact");
         for (const ComparisonResult& c : run->comparisons) {

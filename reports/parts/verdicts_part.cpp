@@ -5,22 +5,15 @@
 #include <algorithm>
 #include <map>
 
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
+#include "reports/parts/outcomes.hpp"
 #include "reports/parts/parts.hpp"
+#include "reports/parts/tables.hpp"
 #include "validation/metrics/verdict.hpp"
 
 namespace wetdeck::report {
 namespace {
-
-/// The largest part of the uncertainty as what would make it smaller.
-std::string help(const ValidationRow& row) {
-    if (row.verdict == "unknown" && !row.u_num) return "a third spacing";
-    if (row.largest_part == "spacing") return "finer spacing";
-    if (row.largest_part == "arrangement") return "mean of replicates";
-    if (row.largest_part == "inputs") return "better known " + row.largest_input;
-    if (row.largest_part == "reference") return "better reference data";
-    return "—";
-}
 
 /// Core-seconds of all spacings of the variant: what the value and its u_num took.
 double cost(const Summary& summary, const ValidationRow& row) {
@@ -44,22 +37,29 @@ std::string verdicts_table(const Summary& summary, const std::vector<ValidationR
                  "verdict", "core-seconds", "what would help most"},
                 "compact");
     for (const ValidationRow& row : rows) {
+        const AnalysisSpec scene = scene_named(summary, row.scene);
+        const std::string unit = unit_words(scene, row);
         const std::string of_variant =
-            fmt::format("{}<br><span class=\"soft\">{}</span>", escape(row.scene), escape(row.variant));
-        table.add({markup(of_variant, "name"), text(row.quantity), value(row.simulated, row.unit),
-                   value(row.reference, row.unit),
-                   row.reference == 0 ? value(row.error, row.unit)
-                                      : text(signed_number(100 * row.error / std::abs(row.reference)) + " %"),
-                   text(interval_text(row)),
-                   markup("<b>" + escape(row.verdict) + "</b>" +
-                          (row.assumed.empty() ? "" : "<br><span class=\"soft\">by judgement</span>")),
-                   value(cost(summary, row)), text(error_is_shown(row) ? "decided" : help(row))});
+            fmt::format("{}<br><span class=\"soft\">{}</span>",
+                        named_words(scene_words(summary, row.scene), row.scene), escape(row.variant));
+        table.add(
+            {markup(of_variant), named(quantity_words(scene, row.quantity), row.quantity),
+             value(row.simulated, unit),
+             markup(fmt::format("{}<br><span class=\"soft\">{}</span>",
+                                escape(number_with_unit(row.reference, unit)), escape(kind_words(row.kind)))),
+             row.reference == 0 ? value(row.error, unit)
+                                : text(signed_number(100 * row.error / std::abs(row.reference)) + " %"),
+             text(interval_text(row)),
+             markup("<b>" + escape(verdict_words(scene, row)) + "</b>" +
+                    (row.assumed.empty() ? "" : "<br><span class=\"soft\">by judgement</span>")),
+             value(cost(summary, row)), text(error_is_shown(row) ? "decided" : what_would_help(row))});
     }
     return table.html();
 }
 
 /// "within the uncertainty 12, too high 5, ..."
-std::string counted(const std::vector<ValidationRow>& rows, std::string (*of)(const ValidationRow&)) {
+template <class Of>
+std::string counted(const std::vector<ValidationRow>& rows, Of&& of) {
     std::map<std::string, int> counts;
     for (const ValidationRow& row : rows) ++counts[of(row)];
     std::vector<std::pair<int, std::string>> sorted;
@@ -72,6 +72,15 @@ std::string counted(const std::vector<ValidationRow>& rows, std::string (*of)(co
 }
 
 }  // namespace
+
+std::string what_would_help(const ValidationRow& row) {
+    if (row.verdict == "unknown" && !row.u_num) return "a third spacing";
+    if (row.largest_part == "spacing") return "finer spacing";
+    if (row.largest_part == "arrangement") return "mean of replicates";
+    if (row.largest_part == "inputs") return "better known " + row.largest_input;
+    if (row.largest_part == "reference") return "better reference data";
+    return "—";
+}
 
 void add_verdicts_part(Page& page, const Summary& summary) {
     if (summary.validation.empty() && summary.agreement.empty()) return;
@@ -87,12 +96,14 @@ void add_verdicts_part(Page& page, const Summary& summary) {
         std::vector<ValidationRow> open;
         for (const ValidationRow& row : summary.validation)
             if (!error_is_shown(row)) open.push_back(row);
-        page.add(paragraph(
-            fmt::format("Verdicts: {}.",
-                        counted(summary.validation, [](const ValidationRow& row) { return row.verdict; })) +
-            (open.empty()
-                 ? ""
-                 : fmt::format(" Where an error is not shown, most would help: {}.", counted(open, help)))));
+        page.add(paragraph(fmt::format("Verdicts: {}.", counted(summary.validation,
+                                                                [&](const ValidationRow& row) {
+                                                                    return verdict_words(
+                                                                        scene_named(summary, row.scene), row);
+                                                                })) +
+                           (open.empty() ? ""
+                                         : fmt::format(" Where an error is not shown, most would help: {}.",
+                                                       counted(open, what_would_help)))));
     }
     if (!summary.agreement.empty())
         page.add(details("Against exact solutions and other computations",

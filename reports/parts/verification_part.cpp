@@ -63,7 +63,6 @@ std::string misses(const std::vector<VerificationProblem>& problems) {
 
 void add_verification_part(Page& page, const Summary& summary) {
     if (summary.verification.empty()) return;
-    page.section(2, "Problems with exact solutions");
     page.add(
         paragraph("The acceptance criteria are set before a problem is run: an upper bound of each error at "
                   "the coarsest resolution, which decreases with the resolution at the lowest expected "
@@ -71,7 +70,7 @@ void add_verification_part(Page& page, const Summary& summary) {
                   "are computed by quadrature, root finding and integration, not read from tables."));
     page.add(misses(summary.verification));
     for (const VerificationProblem& problem : summary.verification) {
-        page.section(3, problem.title);
+        page.section(2, problem.title);
         page.add(paragraph("Exact solution: " + problem.exact));
         for (const std::string& note : problem.notes) page.add(paragraph(note, "notice"));
         page.add(criteria_table(problem));

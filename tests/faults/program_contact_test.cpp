@@ -64,7 +64,7 @@ TEST_CASE("a body that reaches the floor ends the run with time and place", "[fa
     CHECK(lowest > 0);
     CHECK(lowest < 0.005);
     REQUIRE(run_program({"report", folder / "run"}).code <= 1);
-    CHECK_THAT(samples::bytes_of(folder / "run/index.html"), Contains("body touches the floor"));
+    CHECK_THAT(samples::report_in(folder / "run"), Contains("body touches the floor"));
 }
 
 TEST_CASE("with a law of contact the body comes to rest on the floor at half its height", "[faults]") {

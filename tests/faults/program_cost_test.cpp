@@ -113,8 +113,7 @@ TEST_CASE("ablate judges every ingredient, reuses its runs, and shows its table 
     }
     const json& hydrostatic = table[0].at("values")[0];
     CHECK(hydrostatic.at("without") != hydrostatic.at("with"));
-    CHECK_THAT(samples::bytes_of(folder / "out/index.html"),
-               Contains("mirrored wall velocity, single-phase"));
+    CHECK_THAT(samples::report_in(folder / "out"), Contains("mirrored wall velocity, single-phase"));
 
     const auto full = folder / "out/runs/small/single-phase/dx0.04/run.h5";
     const std::string before = samples::bytes_of(full);

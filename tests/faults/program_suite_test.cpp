@@ -50,7 +50,7 @@ TEST_CASE("a suite runs every row, and its report can be made again to the same 
     const Outcome outcome = run_program(suite(put_scene(folder), folder));
     INFO(outcome.out << outcome.err);
     REQUIRE(outcome.code == 0);
-    const auto page = [&] { return samples::bytes_of(folder / "out/index.html"); };
+    const auto page = [&] { return samples::report_in(folder / "out"); };
     const auto summary = [&] { return samples::bytes_of(folder / "out/summary.json"); };
     const std::string first_page = page(), first_summary = summary();
     REQUIRE(first_page.size() > 1000);
@@ -294,7 +294,8 @@ TEST_CASE("a variant that is expected to become unstable is no failure, whatever
             put_scene(folder, samples::replaced(text, "single-phase = [0.02, 0.04]", "two-phase = [0.04]"));
         const Outcome outcome = run_program(suite(scene, folder));
         INFO(outcome.out << outcome.err);
-        REQUIRE_THAT(outcome.out, Contains(expected ? "became unstable as expected, see" : "became unstable, see"));
+        REQUIRE_THAT(outcome.out,
+                     Contains(expected ? "became unstable as expected, see" : "became unstable, see"));
         CHECK(outcome.code == (expected ? 0 : 3));
     }
 }

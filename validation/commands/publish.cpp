@@ -7,8 +7,10 @@
 #include <set>
 
 #include "reports/figures/selection.hpp"
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
 #include "reports/page/strings.hpp"
+#include "reports/parts/outcomes.hpp"
 #include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/whole_file.hpp"
@@ -79,6 +81,22 @@ std::string scatter_csv(const Summary& summary) {
     return out;
 }
 
+/// One line a scene, as on the first page of the report.
+std::string outcomes_section(const Summary& summary) {
+    std::string out =
+        "\n## What was reached\nThe main quantity of each scene, default variant, finest spacing.\n\n"
+        "| scene | quantity | expected | kind | reached | unit | verdict | dx [m] | core-seconds |\n"
+        "|---|---|---|---|---|---|---|---|---|\n";
+    for (const report::Outcome& o : report::outcomes_of(summary)) {
+        const bool ran = o.run != nullptr;
+        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell(o.title), cell(o.words),
+                           number(o.expected), o.kind, number(o.reached), cell(o.unit), o.verdict,
+                           ran ? fmt::format("{}", o.run->record.particle_spacing) : "",
+                           ran ? number(o.run->record.cost.core_s) : "");
+    }
+    return out;
+}
+
 std::string runs_section(const Summary& summary) {
     std::string out =
         "\n## Runs\n| scene | variant | dx [m] | status | core-seconds | revision |\n"
@@ -110,10 +128,11 @@ std::string errors_section(const Summary& summary) {
         "| scene | variant | quantity | S | D | E | u_num | u_input | u_data | verdict |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n";
     for (const ValidationRow& row : summary.validation) {
+        const std::string verdict = report::verdict_words(report::scene_named(summary, row.scene), row);
         out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", cell(row.scene),
                            cell(row.variant), cell(row.quantity), number(row.simulated),
                            number(row.reference), number(row.error), number(row.u_num), number(row.u_input),
-                           number(row.u_data), cell(fmt::format("{}. {}", row.verdict, row.sentence)));
+                           number(row.u_data), cell(fmt::format("{}. {}", verdict, row.sentence)));
     }
     return out;
 }
@@ -124,7 +143,11 @@ std::string readme(const Summary& summary, const std::set<std::string>& figures)
                     cell(summary.tier), cell(report::stamp_of(summary)));
     if (!summary.missing.empty())
         out += fmt::format("\n**Incomplete**: {} runs of the tier are missing.\n", summary.missing.size());
-    out += runs_section(summary) + statistics_section(summary) + errors_section(summary) + "\n## Figures\n";
+    out +=
+        "\n`wetdeck report DIR` writes the report itself beside the runs: `index.html`, one page a scene and "
+        "`statistics.html`; with `--single-file` one file for mail. It is not kept here.\n";
+    out += outcomes_section(summary) + runs_section(summary) + statistics_section(summary) +
+           errors_section(summary) + "\n## Figures\n";
     for (const std::string& figure : figures) out += fmt::format("- [{0}]({0})\n", figure);
     return out;
 }

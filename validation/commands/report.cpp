@@ -18,10 +18,11 @@ namespace {
 struct ReportOptions {
     std::string directory;
     std::string publish;  ///< folder; empty: nowhere
+    bool single_file = false;
 };
 
 int report_command(const ReportOptions& options) {
-    const Summary summary = make_report(options.directory);
+    const Summary summary = make_report(options.directory, options.single_file);
     const int verdict = print_verdict(summary, options.directory);
     if (!options.publish.empty()) publish(summary, options.directory, options.publish);
     return verdict;
@@ -54,6 +55,8 @@ void add_report(CLI::App& app, int& exit_code) {
         .add_option("--publish", options->publish,
                     "also write small tables and figures to DIR/TIER, to be kept in a repository")
         ->type_name("DIR");
+    command.add_flag("--single-file", options->single_file,
+                     "write all pages as one self-contained index.html, for mail");
     command.callback([options, &exit_code] { exit_code = report_command(*options); });
 }
 

@@ -227,7 +227,7 @@ Summary analyse_directory(const fs::path& directory) {
     return summary;
 }
 
-Summary make_report(const fs::path& directory) {
+Summary make_report(const fs::path& directory, bool single_file) {
     Summary summary = analyse_directory(directory);
     const std::map<std::string, Scene> scenes = scenes_of(summary.runs);
     const ProgramInfo program = program_info(summary.runs);
@@ -239,6 +239,7 @@ Summary make_report(const fs::path& directory) {
                       {"instruction set", program.simd}};
     inputs.machine = {{"cpu", program.cpu}, {"cores", std::to_string(program.cores)}};
     inputs.plotly = report::load_plotly();
+    inputs.single_file = single_file;
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
     if (!fs::exists(directory / "suite.json")) inputs.subject = summary.tier;
     for (const auto& [name, scene] : scenes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the stored runs of a directory to summary.json and index.html; nothing is run.
+// From the stored runs of a directory to summary.json and the report; nothing is run.
 #pragma once
 
 #include <filesystem>
@@ -19,8 +19,8 @@ inline constexpr const char* ablation_folder = "ablation";
 /// run, DataError for a run that cannot be read.
 Summary analyse_directory(const std::filesystem::path& directory);
 
-/// The same, and writes summary.json, index.html and figures/.
-Summary make_report(const std::filesystem::path& directory);
+/// The same, and writes summary.json, the pages of the report and figures/; see reports/report.hpp.
+Summary make_report(const std::filesystem::path& directory, bool single_file = false);
 
 /// Writes suite.json with the planned runs, so that a later report can name the missing ones.
 void write_suite_plan(const std::filesystem::path& directory, const std::string& tier,

@@ -25,12 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// The report shows no fields of studies, and of other rows only some.
-Fields fields_of(const SuiteRow& row, const RowOptions& options) {
-    if (!row.overrides.empty()) return Fields::none;
-    return options.fields == Fields::key && !row.pictured ? Fields::none : options.fields;
-}
-
 /// The command line of this program that runs one row.
 std::vector<std::string> arguments_of(const SuiteRow& row, const RowOptions& options) {
     std::vector<std::string> arguments = {"wetdeck",
@@ -128,8 +122,10 @@ class Pool {
             }
         }
         total_ = estimated_core_seconds(waiting_);
-        print(fmt::format("{} runs to do, about {} on {} cores\n", waiting_.size(),
-                          duration_text(total_ / cores_), cores_));
+        double bytes = 0;
+        for (const SuiteRow& row : waiting_) bytes += estimated_bytes(row, options_.row);
+        print(fmt::format("{} runs to do, about {} on {} cores and {:.2g} GB on the disk\n", waiting_.size(),
+                          duration_text(total_ / cores_), cores_, 1e-9 * bytes));
     }
 
     int run() {

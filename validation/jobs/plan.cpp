@@ -9,6 +9,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/scene/shown_frames.hpp"
 #include "validation/store/checkpoint.hpp"
 #include "validation/store/run_directory.hpp"
 
@@ -39,16 +40,23 @@ struct VariedKey {
     }
 };
 
-/// @param scene   of the variant, as varied or at the same cost
+/// @param scene  of the variant, as varied or at the same cost
+SuiteRow row_of(const std::string& name, const Scene& scene, double particle_spacing,
+                const fs::path& directory) {
+    const CostEstimate cost = estimate_cost(scene, particle_spacing);
+    SuiteRow row{name, scene.variant, particle_spacing, cost.core_seconds, {}, directory};
+    row.fluid_particles = cost.fluid_particles;
+    row.frames = scene.frame_times.size();
+    row.shown_frames = shown_frames(scene).size();
+    return row;
+}
+
 /// @param folder  of the study; the run lies in it under the assignment
 SuiteRow varied_row(const std::string& name, const Scene& scene, const VariedKey& varied,
                     double particle_spacing, const fs::path& folder) {
-    return {name,
-            scene.variant,
-            particle_spacing,
-            estimate_cost(scene, particle_spacing).core_seconds,
-            varied.overrides(),
-            folder / varied.assignment()};
+    SuiteRow row = row_of(name, scene, particle_spacing, folder / varied.assignment());
+    row.overrides = varied.overrides();
+    return row;
 }
 
 /// Of the variant in the tier of the plan; none where it does not run there.
@@ -130,15 +138,10 @@ void add_scene_rows(std::vector<SuiteRow>& rows, const PlanOptions& options, con
         const Scene varied = read_scene(path, variant);
         for (const double dx : spacings) {
             check_row(varied, options.tier, dx);
-            rows.push_back({name,
-                            variant,
-                            dx,
-                            estimate_cost(varied, dx).core_seconds,
-                            {},
-                            run_path(options.directory, scene.name(), variant, dx),
-                            {},
-                            varied.analysis.expected_unstable,
-                            dx == spacings.back() || beside_others(scene, variant)});
+            SuiteRow row = row_of(name, varied, dx, run_path(options.directory, scene.name(), variant, dx));
+            row.expected_unstable = varied.analysis.expected_unstable;
+            row.pictured = dx == spacings.back() || beside_others(scene, variant);
+            rows.push_back(std::move(row));
         }
     }
     add_sensitivity_rows(rows, options, name, scene);
@@ -181,6 +184,22 @@ bool interrupted(const SuiteRow& row) {
     } catch (const DataError&) {  // all are damaged
         return false;
     }
+}
+
+Fields fields_of(const SuiteRow& row, const RowOptions& options) {
+    if (!row.overrides.empty()) return Fields::none;
+    return options.fields == Fields::key && !row.pictured ? Fields::none : options.fields;
+}
+
+double estimated_bytes(const SuiteRow& row, const RowOptions& options) {
+    // measured over the quick tier; boundary particles are in the field files, too
+    constexpr double run_file = 6e5, particle_in_frame = 33, particle_in_checkpoint = 205;
+    const Fields fields = fields_of(row, options);
+    const double frames = fields == Fields::none  ? 0
+                          : fields == Fields::key ? static_cast<double>(row.shown_frames)
+                                                  : static_cast<double>(row.frames);
+    const double checkpoint = fields == Fields::all ? particle_in_checkpoint : 0;
+    return run_file + row.fluid_particles * (frames * particle_in_frame + checkpoint);
 }
 
 double estimated_core_seconds(const std::vector<SuiteRow>& rows) {

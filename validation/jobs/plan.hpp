@@ -17,11 +17,13 @@ struct SuiteRow {
     std::string variant;
     double particle_spacing = 0;
     double estimated_core_seconds = 0;
-    std::vector<std::string> overrides;  ///< one KEY=VALUE for a row of a study of one input
-    std::filesystem::path directory;     ///< of the run
-    std::optional<double> until = {};    ///< stop time [s], the scene's if absent
-    bool expected_unstable = false;      ///< its variant is known to become unstable: no failure
-    bool pictured = false;               ///< whether a report may show pictures of its fields
+    std::vector<std::string> overrides;        ///< one KEY=VALUE for a row of a study of one input
+    std::filesystem::path directory;           ///< of the run
+    std::optional<double> until = {};          ///< stop time [s], the scene's if absent
+    bool expected_unstable = false;            ///< its variant is known to become unstable: no failure
+    bool pictured = false;                     ///< whether a report may show pictures of its fields
+    double fluid_particles = 0;                ///< estimated
+    std::size_t frames = 0, shown_frames = 0;  ///< field files of all fields, and those that a report shows
 };
 
 struct PlanOptions {
@@ -38,6 +40,12 @@ struct RowOptions {
     double checkpoint_interval = RunOptions{}.checkpoint_interval;  ///< wall seconds
     Fields fields = Fields::all;                                    ///< of runs that belong to no study
 };
+
+/// Which fields a run of the row writes: the report shows none of studies, and of other rows only some.
+Fields fields_of(const SuiteRow& row, const RowOptions& options);
+
+/// Estimated size of the results of a row [bytes].
+double estimated_bytes(const SuiteRow& row, const RowOptions& options);
 
 /// Every row of the tier, longest first, and at the coarsest spacing of the variant two for each
 /// [[sensitivity]] of a scene (low and high, default variant), two for each variant whose sound speed it

@@ -24,7 +24,10 @@ writes one report of the accuracy reached and its cost. All units are SI.
 constexpr const char* tail = R"(.SH FILES
 .TP
 .I DIR/index.html
-the report: one file that opens without a network
+the first page of the report, which opens without a network
+.TP
+.I DIR/scene\-NAME.html, DIR/statistics.html
+its other pages
 .TP
 .I DIR/summary.json
 every number of the report

@@ -63,6 +63,24 @@ TEST_CASE("A plan has every spacing and both values of a varied input, the longe
     CHECK(estimated_core_seconds(rows) == sum);
 }
 
+TEST_CASE("The results of a row are as large as its fields and its checkpoint", "[plan]") {
+    SmallPlan plan;
+    RowOptions options;
+    for (const SuiteRow& row : suite_rows(plan.options)) {
+        const auto bytes = [&](Fields fields) {
+            options.fields = fields;
+            return estimated_bytes(row, options);
+        };
+        CHECK(row.frames == 4);  // 0, 0.05, 0.1, 0.2
+        CHECK(row.fluid_particles == Approx(0.48 / row.particle_spacing / row.particle_spacing));
+        CHECK(bytes(Fields::none) > 1e5);
+        const bool study = !row.overrides.empty();
+        CHECK((bytes(Fields::all) > bytes(Fields::none)) == !study);
+        CHECK((bytes(Fields::key) > bytes(Fields::none)) == row.pictured);
+        CHECK(bytes(Fields::key) <= bytes(Fields::all));
+    }
+}
+
 TEST_CASE("The finest run of a variant has pictures, and those that are shown beside other variants",
           "[plan]") {
     SmallPlan plan;

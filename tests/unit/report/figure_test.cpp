@@ -163,9 +163,10 @@ TEST_CASE("The interactive figure escapes texts and shows error bars", "[report]
 
 TEST_CASE("A text cannot become a command of gnuplot", "[report]") {
     Figure figure = sample();
-    figure.title = "it's\nsystem('touch /tmp/x')\n";
+    figure.x.label = "it's\nsystem('touch /tmp/x')\n";
+    figure.x.unit = "";
     const std::string script = gnuplot_script(figure, "it's.svg");
-    CHECK(samples::contains(script, "set title 'it''s system(''touch /tmp/x'') ' noenhanced\n"));
+    CHECK(samples::contains(script, "set xlabel 'it''s system(''touch /tmp/x'') ' noenhanced\n"));
     CHECK(samples::contains(script, "set output 'it''s.svg'\n"));
     CHECK_FALSE(samples::contains(script, "\nsystem("));
 }
@@ -190,10 +191,17 @@ TEST_CASE("gnuplot draws every style, also into a folder with quotes and spaces 
         s.point_labels = std::vector<std::string>(5, "p'q");
         figure.series.push_back(s);
     }
-    const std::string svg = write_svg(figure, folder / "a.svg");
-    CHECK(samples::contains(svg, "Title &amp; &lt;tag>"));
-    CHECK(samples::contains(svg, "</svg>"));
-    CHECK(samples::bytes_of(folder / "a.svg") == svg);
+    figure.stamp = "revision <1>";
+    const std::string drawn = write_svg(figure, folder / "a.svg");
+    const std::string file = samples::bytes_of(folder / "a.svg");
+    for (const std::string& svg : {drawn, file}) CHECK(samples::contains(svg, "</svg>"));
+    // the page has title and stamp of its own
+    for (const char* words : {"Title &amp; &lt;tag&gt;", "revision &lt;1&gt;"}) {
+        CHECK_FALSE(samples::contains(drawn, words));
+        CHECK(samples::contains(file, words));
+    }
+    CHECK(samples::contains(drawn, "viewBox=\"0 0 620 "));
+    CHECK(samples::contains(file, "viewBox=\"0 -26 620 "));
     CHECK(samples::names_in(folder) == std::vector<std::string>{"a.svg"});
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "reports/report.hpp"
 #include "tests/unit/store/store_samples.hpp"
@@ -97,10 +98,15 @@ inline std::size_t occurrences(const std::string& text, const std::string& part)
     return n;
 }
 
-inline std::string page_of(const Summary& summary, const report::ReportInputs& inputs = samples::inputs()) {
+inline std::map<std::string, std::string> pages_of(const Summary& summary,
+                                                   const report::ReportInputs& inputs = samples::inputs()) {
     const samples::ScratchFolder folder;
     report::write_report(folder, summary, inputs);
-    return samples::bytes_of(folder / "index.html");
+    return pages_in(folder);
+}
+
+inline std::string page_of(const Summary& summary, const report::ReportInputs& inputs = samples::inputs()) {
+    return joined(pages_of(summary, inputs));
 }
 
 inline std::string between(const std::string& text, const std::string& begin, const std::string& end) {

@@ -25,9 +25,10 @@ Summary with_figures() {
 TEST_CASE("Figures of each source are listed with links to what the page shows", "[report]") {
     const std::string page = page_of(with_figures());
     const std::string table = between(page, "<h4>An author (2001)</h4>", "</table>");
-    CHECK(contains(table, "<td>4</td><td>the energy</td><td><a href=\"#tank-two-phase-energy\">"));
-    CHECK(contains(table, "<a href=\"#tank-two-phase-energy-change\">"));
-    CHECK(contains(table, "<a href=\"#section-tank-fields\">tank Fields</a>"));
+    CHECK(contains(table,
+                   "<td>4</td><td>the energy</td><td><a href=\"scene-tank.html#tank-two-phase-energy\">"));
+    CHECK(contains(table, "<a href=\"scene-tank.html#tank-two-phase-energy-change\">"));
+    CHECK(contains(table, "<a href=\"scene-tank.html#section-tank-fields\">tank Fields</a>"));
     CHECK(contains(page, "id=\"tank-two-phase-energy\""));
     CHECK(contains(page, "id=\"section-tank-fields\""));
     const std::string other = between(page, "<h4>Another author (1999)</h4>", "</table>");
@@ -63,9 +64,10 @@ TEST_CASE("A figure names the curves of others that it shows, at hand or not", "
     Summary summary = with_figures();
     summary.scenes[0].source_figures[0].curves = {{"measured", true}, {"<lost>", false}};
     const std::string table = between(page_of(summary), "<h4>An author (2001)</h4>", "</table>");
-    CHECK(contains(table,
-                   "<a href=\"#section-tank-provenance\">reference_data/tank/measured.csv</a><br>"
-                   "curve not available: reference_data/tank/&lt;lost&gt;.csv</td>"));
+    CHECK(contains(
+        table,
+        "<a href=\"scene-tank.html#section-tank-provenance\">reference_data/tank/measured.csv</a><br>"
+        "curve not available: reference_data/tank/&lt;lost&gt;.csv</td>"));
 }
 
 TEST_CASE("Reference files that nothing is compared with are listed with the reason", "[report]") {

@@ -106,7 +106,7 @@ TEST_CASE("Runs at other sound speeds are shown beside the spacings and are no r
     const std::string scene = samples::small_scene + "\n[sound_speed_study]\nvariants = [\"two-phase\"]\n";
     const samples::ScratchFolder folder;
     samples::store_sweep(folder, 3, scene);
-    CHECK(contains(samples::bytes_of((make_report(folder), folder / "index.html")), "does not hold them"));
+    CHECK(contains((make_report(folder), samples::report_in(folder)), "does not hold them"));
     const double coarsest = analyse_directory(folder).convergence.at(0).dx.front();
     for (const char* value : {"7", "28"}) {
         RunRecord varied = samples::stored_run(coarsest, 1.0, scene);
@@ -118,7 +118,7 @@ TEST_CASE("Runs at other sound speeds are shown beside the spacings and are no r
     CHECK(summary.runs.size() == 3);
     REQUIRE_FALSE(summary.sound_speed.empty());
     CHECK(summary.sound_speed[0].sound_speed == std::vector<double>{7, 14, 28});
-    CHECK(contains(samples::bytes_of(folder / "index.html"), "7 / 14 / 28"));
+    CHECK(contains(samples::report_in(folder), "7 / 14 / 28"));
     const auto json = nlohmann::json::parse(samples::bytes_of(folder / "summary.json"));
     CHECK(json["sound_speed"][0]["sound_speed"].size() == 3);
 }
@@ -134,7 +134,7 @@ TEST_CASE("Ablation and stress results come back as they were written and are sh
     REQUIRE(summary.ablation.size() == 2);
     CHECK(summary.ablation[0].core_s_ratio == 0.4);
     CHECK_FALSE(summary.ablation[1].error_change.has_value());
-    const std::string page = samples::bytes_of(folder / "index.html");
+    const std::string page = samples::report_in(folder);
     CHECK(contains(page, "<td class=\"number\">0.4</td><td>+0.03</td>"));
     CHECK(contains(page, "unstable at t = 1 s"));
     const auto json = nlohmann::json::parse(samples::bytes_of(folder / "summary.json"));
@@ -157,7 +157,15 @@ TEST_CASE("What is published is small, dated by its revision, and replaced whole
     samples::put_bytes(target / "single-runs/notes.md", "mine");
     publish(summary, folder, target);
     const auto files = files_below(target);
-    CHECK(contains(files.at("single-runs/README.md"), "revision abc1234"));
+    const std::string& readme = files.at("single-runs/README.md");
+    CHECK(contains(readme, "revision abc1234"));
+    CHECK(contains(readme, "## What was reached"));
+    CHECK(contains(readme, "`index.html`, one page a scene and `statistics.html`"));
+    for (const auto& [name, bytes] : files) {
+        INFO(name);
+        CHECK(bytes.size() < 100000);
+        CHECK(fs::path(name).extension() != ".html");
+    }
     CHECK(contains(files.at("single-runs/runs.csv"), "small,two-phase,0.01,ok"));
     CHECK(files.count("single-runs/small-speed-error.csv") == 1);
     CHECK(files.count("single-runs/suite-scatter-position.csv") == 1);

@@ -28,7 +28,7 @@ Summary hard_cases() {
 }  // namespace
 
 TEST_CASE("Hard cases are counted by the schemes that the rows name", "[report]") {
-    const std::string counts = between(page_of(hard_cases()), ">Hard cases</h2>", "</table>");
+    const std::string counts = between(page_of(hard_cases()), "<h1>Hard cases</h1>", "</table>");
     const auto row = [](const char* scheme, int settings, int stable) {
         return "<tr><td>" + std::string(scheme) + "</td><td class=\"number\">" + std::to_string(settings) +
                "</td><td class=\"number\">" + std::to_string(stable) + "</td></tr>";

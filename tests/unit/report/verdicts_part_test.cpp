@@ -45,7 +45,7 @@ Summary with_verdicts() {
 }
 
 std::string verdicts_of(const Summary& summary) {
-    return between(page_of(summary), "id=\"section-verdicts\"", "id=\"section-runs\"");
+    return between(page_of(summary), "id=\"section-verdicts\"", "id=\"section-suite-statistics\"");
 }
 
 }  // namespace

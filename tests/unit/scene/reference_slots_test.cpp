@@ -308,14 +308,14 @@ TEST_CASE("A file dropped into a slot appears in the report without another chan
     fs::create_directories(data / "reference_data");
     ::setenv("WETDECK_DATA", fs::path(data).c_str(), 1);
     make_report(results);
-    const std::string without = samples::bytes_of(results / "index.html");
+    const std::string without = samples::report_in(results);
     const SlotFile file{"dam_break", "buchner2002_front", "T [-],x_over_h [-]", {0, 1, 2.4}, [](double T) {
                             return std::vector{(1.2 + 3 * T * dam_time) / 0.6 + 0.25};
                         }};
     file.write(data / "reference_data");
     make_report(results);
     ::unsetenv("WETDECK_DATA");
-    const std::string with = samples::bytes_of(results / "index.html");
+    const std::string with = samples::report_in(results);
     const std::string path = "reference_data/dam_break/buchner2002_front.csv";
     CHECK_THAT(without, Catch::Contains("curve not available: " + path));
     CHECK_THAT(with, !Catch::Contains("curve not available: " + path));

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -147,6 +148,27 @@ inline bool same(const FieldFrame& a, const FieldFrame& b) {
     return a.time == b.time && same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.vx, b.vx) &&
            same_bits(a.vy, b.vy) && same_bits(a.pressure, b.pressure) && same_bits(a.density, b.density) &&
            a.phase == b.phase && a.id == b.id;
+}
+
+/// The pages of a report by file name.
+inline std::map<std::string, std::string> pages_in(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> pages;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".html")
+            pages[entry.path().filename().string()] = bytes_of(entry.path());
+    return pages;
+}
+
+/// All pages behind each other, the first page first.
+inline std::string joined(const std::map<std::string, std::string>& pages) {
+    std::string all = pages.at("index.html");
+    for (const auto& [name, page] : pages)
+        if (name != "index.html") all += page;
+    return all;
+}
+
+inline std::string report_in(const std::filesystem::path& folder) {
+    return joined(pages_in(folder));
 }
 
 }  // namespace wetdeck::samples

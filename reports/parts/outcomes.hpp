@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each scene reached, in one line: the main quantity of its default variant at its finest spacing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/figures/selection.hpp"
+#include "reports/page/figure.hpp"
+
+namespace wetdeck::report {
+
+/// A verdict as the colour of its mark.
+enum class Tone { good, open, bad };
+
+struct Outcome {
+    std::string scene, title;
+    std::string quantity, words;  ///< its identifier, empty where nothing was evaluated, and what it is
+    std::optional<double> expected, tolerance, reached;
+    std::string unit = "-";
+    std::string kind, against;  ///< of the expected value; who says so
+    std::string verdict;
+    std::string open;  ///< what an open verdict needs
+    Tone tone = Tone::open;
+    const RunSummary* run = nullptr;          ///< null where the directory holds none
+    const ComparisonResult* curve = nullptr;  ///< of the quantity's series; null without one
+    std::string series;                       ///< of the quantity
+};
+
+/// One outcome a scene. The main quantity is, in this order: the scene's `error_quantity` if it has a
+/// verdict; a value of the same series that has one, measurements before exact solutions before others;
+/// the `error_quantity` within its tolerance; a value of another series with a verdict; a curve within its
+/// tolerance; a quantity without an expected value.
+std::vector<Outcome> outcomes_of(const Summary& summary);
+
+/// The curve of the main quantity over its reference; without series where the run has none.
+Figure outcome_figure(const Outcome& outcome);
+
+/// "experiment", "exact solution", "other code", "stated in a publication".
+std::string kind_words(std::optional<ReferenceKind> kind);
+
+/// Of a verdict of verdict.hpp.
+Tone tone_of(const ValidationRow& row);
+std::string badge(const std::string& words, Tone tone);
+
+}  // namespace wetdeck::report
