@@ -24,6 +24,8 @@ WETDECK_INLINE void copy_row(const FluidState& from, const FixedPoint& fixed_poi
 
 template <class Power>
 void update_with(FluidState* state, const DensityUpdate& u, Power power) {
+    MixedState* const copies = u.mixed ? u.mixed->data() : nullptr;
+    const FixedPoint fixed_point = u.mixed ? u.mixed->fixed_point() : FixedPoint{};
     const auto blocks = static_cast<std::int64_t>((u.last - u.first + cluster_width - 1) / cluster_width);
 #pragma omp parallel for schedule(static) num_threads(u.threads)
     for (std::int64_t block = 0; block < blocks; ++block) {
@@ -42,9 +44,9 @@ void update_with(FluidState* state, const DensityUpdate& u, Power power) {
         x += 0.5 * u.dt * vx;
         y += 0.5 * u.dt * vy;
         store_columns(p, state, eight);
-        if (!u.mixed) continue;
+        if (!copies) continue;
         for (std::size_t i = eight.first; i < eight.first + eight.count; ++i)
-            copy_row(state[i], u.mixed->fixed_point(), u.mixed->data()[i]);
+            copy_row(state[i], fixed_point, copies[i]);
     }
 }
 

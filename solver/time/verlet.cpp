@@ -7,12 +7,22 @@
 namespace wetdeck {
 namespace {
 
+/// What a kick and a drift change of a particle in single precision.
+void copy_motion(const FluidState& from, FixedPoint fixed_point, MixedState& to) {
+    to.x = fixed_point.fixed(from.x);
+    to.y = fixed_point.fixed(from.y);
+    to.vx = static_cast<float>(from.vx);
+    to.vy = static_cast<float>(from.vy);
+}
+
 /// The first half kick and half drift of all fluid and the bodies. Returns how far the fastest particle has
 /// moved; it moves as far in the second half.
 double kick_and_drift(Flow& flow, Rates& rates, double half, double substep_weight) {
     const StageTimer timer(rates.stages().integration);
     FluidParticles& fluid = flow.fluid;
     MixedFluid* const mixed = rates.mixed_fluid();
+    MixedState* const copies = mixed ? mixed->data() : nullptr;
+    const FixedPoint fixed_point = mixed ? mixed->fixed_point() : FixedPoint{};
     double fastest2 = 0;
     const auto size = static_cast<std::int64_t>(fluid.size());
 #pragma omp parallel for schedule(static) num_threads(rates.setup().execution.threads) reduction(max \
@@ -25,7 +35,7 @@ double kick_and_drift(Flow& flow, Rates& rates, double half, double substep_weig
         p.x += half * p.vx;
         p.y += half * p.vy;
         fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
-        if (mixed) mixed->set(i, p);
+        if (copies) copy_motion(p, fixed_point, copies[i]);
     }
     double fastest = std::sqrt(fastest2);
     for (RigidBody& body : flow.bodies) {
