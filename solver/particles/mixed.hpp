@@ -58,8 +58,7 @@ class MixedFluid {
 
     /// Copies `count` particles.
     void copy(const FluidState* fluid, std::size_t count, int threads);
-    /// Copies particle i.
-    void set(std::size_t i, const FluidState& particle) { state_[i] = fixed_point_(particle); }
+    /// To be kept up by who moves particles.
     MixedState* data() { return state_.data(); }
     const MixedState* data() const { return state_.data(); }
     const FixedPoint& fixed_point() const { return fixed_point_; }

@@ -44,12 +44,14 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 100000))
         ->type_name("N")
         ->capture_default_str();
+    const auto set_precision = [precision = &options->benchmark.precision](const std::string& name) {
+        *precision = name == "mixed" ? Precision::mixed : Precision::double_precision;
+    };
     command
-        .add_option("--precision", options->benchmark.precision, "of the sums over pairs: double or mixed")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Precision>{
-            {"double", Precision::double_precision}, {"mixed", Precision::mixed}}))
-        ->type_name("P")
-        ->default_str("double");
+        .add_option_function<std::string>("--precision", set_precision,
+                                          "of the sums over pairs: double or mixed (default: double)")
+        ->check(CLI::IsMember({"double", "mixed"}))
+        ->type_name("P");
     const auto set_json = [json = &options->json](const std::string& file) { *json = file; };
     command
         .add_option_function<std::string>("--json", set_json,
