@@ -58,6 +58,7 @@ Simulation::Simulation(const RatesSetup& setup, Flow flow)
 
 void Simulation::evaluate() {
     const double all = model().air_substeps;
+    rates_.forget_mixed_fluid();
     extremes_ = extremes_of(flow_.fluid, model());
     rates_.wall_means(flow_, all);
     rates_.density(flow_, all);
@@ -117,7 +118,7 @@ std::optional<Instability> Simulation::run(double end, const Observer& observe,
 }
 
 double Simulation::bytes_per_particle() const {
-    const std::size_t of_walls = flow_.walls.size() * bytes_of_fields(flow_.walls) + rates_.list().bytes();
+    const std::size_t of_walls = flow_.walls.size() * bytes_of_fields(flow_.walls) + rates_.bytes();
     return static_cast<double>(bytes_of_fields(flow_.fluid)) +
            static_cast<double>(of_walls) / static_cast<double>(flow_.fluid.size());
 }

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a simulation is computed, apart from the physics. Threads and instruction set change no more than the
-// last digits of a result.
+// How a simulation is computed, apart from the physics. Threads change no bit of a result, the instruction
+// set no more than its last digits. In mixed precision pairs of fluid particles are computed in single
+// precision.
 #pragma once
 
 #include <string>
 
 namespace wetdeck {
 
-/// Threads, neighbour list and instruction set of a simulation.
+/// Of the sums over pairs of fluid particles. State, walls, bodies and integration are always in double
+/// precision.
+enum class Precision { double_precision, mixed };
+
+/// Threads, neighbour list, instruction set and precision of a simulation.
 struct Execution {
     int threads = 0;                   ///< 0: as many as OpenMP offers
     double skin = 0.2;                 ///< of the neighbour list, in smoothing lengths
     std::string instruction_set = {};  ///< "sse2", "avx2" or "avx512"; empty: the best of this processor
+    Precision precision = Precision::double_precision;
 };
 
 }  // namespace wetdeck

@@ -54,6 +54,10 @@ class NeighbourList {
     const FluidState* listed(const FluidParticles& fluid) const {
         return images_ ? images_->appended_to(fluid) : fluid.state.data();
     }
+    /// Number of both.
+    std::size_t listed_count(const FluidParticles& fluid) const {
+        return fluid.size() + (images_ ? images_->images().size() : 0);
+    }
 
     const std::vector<Cluster>& clusters() const { return clusters_; }
     /// Neighbours of the clusters and of the wall clusters.

@@ -5,11 +5,11 @@
 
 namespace wetdeck::WETDECK_ISA {
 
-PairPasses choose_pair_passes(const Model& model) {
+PairPasses choose_pair_passes(const Model& model, Precision precision) {
     PairPasses passes;
     passes.wall_means = wall_mean_pass();
-    passes.density_rates = density_pass(model);
-    passes.accelerations = momentum_pass(model);
+    passes.density_rates = density_pass(model, precision);
+    passes.accelerations = momentum_pass(model, precision);
     passes.body_forces = body_force_pass(model);
     passes.update_density = update_density;
     passes.filter_near = filter_near;

@@ -4,7 +4,7 @@
 // and, where it bounds the density of water, the kernel sum S_i = SUM_j V_j W_ij.
 #include "solver/passes/cluster_loop.hpp"
 #include "solver/passes/isa_passes.hpp"
-#include "solver/passes/simd/lanes.hpp"
+#include "solver/passes/simd/mixed_lanes.hpp"
 #include "solver/physics/density_bounds.hpp"
 #include "solver/physics/riemann.hpp"
 #include "solver/physics/wall_boundary.hpp"
@@ -22,33 +22,38 @@ struct DensityTerms {
     bool water;                   ///< of water, which feels a wall once it touches it
 };
 
-struct DensitySums {
-    Pack rate = 0.0, kernel_sum = 0.0;
+template <class Number>
+struct DensitySumsOf {
+    Number rate = 0.0, kernel_sum = 0.0;
 };
+using DensitySums = DensitySumsOf<Pack>;
 
 /// The sum over the neighbours of one phase. F (u_L - u*) is taken with F = r W', so that nothing is divided
 /// by r: r u = -v . r_ij.
 /// @param mobility  of the pair at the present density
-template <DensityTerms terms>
-WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const Lanes& i, Neighbours neighbours,
-                                     const PairCoefficients& c, Pack mobility) {
-    const double inverse_h = 1 / in.kernel.smoothing_length;
-    const double gx = c.hydrostatic_density * in.gravity.x(), gy = c.hydrostatic_density * in.gravity.y();
-    DensitySums sums;
-    for (const std::uint32_t index : neighbours) {
-        const FluidState& j = in.fluid[index];
-        const Separation s = separation(i, j.x, j.y);
-        Pack jump = i.pressure - j.pressure;
+template <class Precise, DensityTerms terms>
+WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const typename Precise::Fluid& i,
+                                     Neighbours neighbours, const PairCoefficients& c,
+                                     typename Precise::Number mobility) {
+    using Number = typename Precise::Number;
+    const double unit = Precise::unit_of_length(in);
+    const double inverse_h = unit / in.kernel.smoothing_length;
+    const double gx = unit * c.hydrostatic_density * in.gravity.x(),
+                 gy = unit * c.hydrostatic_density * in.gravity.y();
+    DensitySumsOf<Number> sums;
+    for (const auto& j : Precise::each(in, neighbours)) {
+        const SeparationOf<Number> s = separation(i, j.x, j.y);
+        Number jump = i.pressure - j.pressure;
         if constexpr (terms.hydrostatic_correction) jump = jump - (gx * s.x + gy * s.y);
-        Pack pair_mobility = mobility;
+        Number pair_mobility = mobility;
         if constexpr (terms.harmonic_impedance) pair_mobility = mobility + c.right_mobility / j.density;
-        Pack left_less_star;
+        Number left_less_star;
         if constexpr (terms.harmonic_velocity) {  // v* . e of the mean of vectors, by component
-            const Pack vx = harmonic_mean(i.vx, Pack(j.vx), in.model->mean_guard, in.smallest_velocity);
-            const Pack vy = harmonic_mean(i.vy, Pack(j.vy), in.model->mean_guard, in.smallest_velocity);
+            const Number vx = harmonic_mean(i.vx, Number(j.vx), in.model->mean_guard, in.smallest_velocity);
+            const Number vy = harmonic_mean(i.vy, Number(j.vy), in.model->mean_guard, in.smallest_velocity);
             left_less_star = (vx - i.vx) * s.x + (vy - i.vy) * s.y - pair_mobility * jump * s.distance;
         } else {
-            const Pack approach = (j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y;
+            const Number approach = (j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y;
             left_less_star =
                 velocity_left_less_star(approach, jump * s.distance, c.weight_right, pair_mobility);
         }
@@ -56,7 +61,7 @@ WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const Lanes& i, Neighb
         if constexpr (terms.kernel_sum)
             sums.kernel_sum += j.volume * WendlandC2::shape(s.distance, inverse_h);
     }
-    return sums;
+    return {unit * Precise::total(sums.rate), Precise::total(sums.kernel_sum)};
 }
 
 /// What the sums over boundary particles yield for a cluster, less the volume of each.
@@ -142,32 +147,34 @@ WETDECK_INLINE Pack whole_kernel_sum(const PassInput& in, Pack fluid, const Wall
                   fluid + in.wall_volume * walls.kernel_sum);
 }
 
-template <DensityTerms terms>
+template <class Precise, DensityTerms terms>
 WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cluster) {
     if (idle(in, cluster)) return store(0.0, in.density_rate, cluster);
-    const Lanes i = load(in.fluid, cluster);
+    const typename Precise::Fluid i = Precise::load(in, cluster);
     const auto phase_i = static_cast<std::size_t>(cluster.phase);
-    const Pack reference_over_density = in.reference_density[phase_i] / i.density;
+    const typename Precise::Number reference_over_density = in.reference_density[phase_i] / i.density;
     const double water_weight = substep_weight(in, cluster);
     DensitySums sums;
     for (std::size_t phase = 0; phase < phase_count; ++phase) {
         const double weight = phase == 1 ? 1 : water_weight;
         if (!(weight > 0)) continue;
         const PairCoefficients& c = in.pair[phase_i][phase];
-        const DensitySums fluid = fluid_sum<terms>(in, i, fluid_neighbours(*in.blocks, cluster, phase), c,
-                                                   c.mobility * reference_over_density);
+        const DensitySums fluid = fluid_sum<Precise, terms>(
+            in, i, fluid_neighbours(*in.blocks, cluster, phase), c, c.mobility * reference_over_density);
         sums.rate += weight * fluid.rate;
         if constexpr (terms.kernel_sum) sums.kernel_sum += fluid.kernel_sum;
     }
     if (cluster.wall_neighbours > 0 && water_weight > 0) {
-        WallSums walls = wall_sum<terms>(in, i, wall_neighbours(*in.blocks, cluster));
+        const Lanes& beside = Precise::beside_walls(in, cluster, i);
+        WallSums walls = wall_sum<terms>(in, beside, wall_neighbours(*in.blocks, cluster));
         if (in.model->wall_velocity == WallVelocity::own) walls.rate = 0.5 * walls.rate;
         if (const double half_slowness = in.wall_pair[phase_i].jump_half_slowness; half_slowness > 0)
-            walls.rate += wall_jump_sum(in, i, wall_neighbours(*in.blocks, cluster), half_slowness);
+            walls.rate += wall_jump_sum(in, beside, wall_neighbours(*in.blocks, cluster), half_slowness);
         sums.rate += water_weight * in.wall_volume * walls.rate;
         if constexpr (terms.kernel_sum) sums.kernel_sum = whole_kernel_sum(in, sums.kernel_sum, walls);
     }
-    store(2 * in.kernel.slope_factor() * i.density * sums.rate, in.density_rate, cluster);
+    store(2 * in.kernel.slope_factor() * Precise::of_cluster(i.density) * sums.rate, in.density_rate,
+          cluster);
     if constexpr (terms.kernel_sum)
         store(in.kernel.normalisation() * sums.kernel_sum, in.kernel_sum, cluster);
 }
@@ -185,28 +192,36 @@ template <DensityTerms terms>
 constexpr DensityTerms of_air = {
     terms.harmonic_velocity, terms.harmonic_impedance, terms.hydrostatic_correction, false, false, false};
 
-template <DensityTerms terms>
+template <class Precise, DensityTerms terms>
 void density_rates(const PassInput& in) {
     for_clusters(in, [&in](const Cluster& cluster) {
         if (cluster.phase == Phase::air) {
-            cluster_density_rates<of_air<terms>>(in, cluster);
+            cluster_density_rates<Precise, of_air<terms>>(in, cluster);
         } else if (in.kernel_sum) {
-            cluster_density_rates<terms>(in, cluster);
+            cluster_density_rates<Precise, terms>(in, cluster);
         } else {
-            cluster_density_rates<without_sum<terms>>(in, cluster);
+            cluster_density_rates<Precise, without_sum<terms>>(in, cluster);
         }
     });
 }
 
 }  // namespace
 
-Pass density_pass(const Model& model) {
+Pass density_pass(const Model& model, Precision precision) {
+    const bool mirrored = model.wall_velocity == WallVelocity::mirrored;
+    if (precision == Precision::mixed) {
+        return with_flags(
+            []<bool... flags>()->Pass {
+                return density_rates<InMixed, DensityTerms{false, false, flags..., true, true}>;
+            },
+            model.hydrostatic_correction, mirrored);
+    }
     return with_flags(
-        []<bool velocity, bool impedance, bool hydrostatic, bool mirrored>() -> Pass {
-            return density_rates<DensityTerms{velocity, impedance, hydrostatic, mirrored, true, true}>;
+        []<bool... flags>()->Pass {
+            return density_rates<InDouble, DensityTerms{flags..., true, true}>;
         },
         model.velocity_mean == Mean::harmonic, model.impedance_mean == ImpedanceMean::harmonic,
-        model.hydrostatic_correction, model.wall_velocity == WallVelocity::mirrored);
+        model.hydrostatic_correction, mirrored);
 }
 
 }  // namespace wetdeck::WETDECK_ISA

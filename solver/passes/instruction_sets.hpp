@@ -6,15 +6,16 @@ namespace wetdeck {
 
 struct Model;
 struct PairPasses;
+enum class Precision;
 
 namespace sse2 {
-PairPasses choose_pair_passes(const Model& model);
+PairPasses choose_pair_passes(const Model& model, Precision precision);
 }
 namespace avx2 {
-PairPasses choose_pair_passes(const Model& model);
+PairPasses choose_pair_passes(const Model& model, Precision precision);
 }
 namespace avx512 {
-PairPasses choose_pair_passes(const Model& model);
+PairPasses choose_pair_passes(const Model& model, Precision precision);
 }
 
 }  // namespace wetdeck

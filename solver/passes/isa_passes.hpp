@@ -9,8 +9,8 @@
 
 namespace wetdeck::WETDECK_ISA {
 
-Pass density_pass(const Model& model);
-Pass momentum_pass(const Model& model);
+Pass density_pass(const Model& model, Precision precision);
+Pass momentum_pass(const Model& model, Precision precision);
 Pass wall_mean_pass();
 Pass body_force_pass(const Model& model);
 void update_density(FluidState* state, const DensityUpdate& update);

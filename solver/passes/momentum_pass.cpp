@@ -3,6 +3,7 @@
 //     dv_i/dt = (2/rho_i) SUM_j V_j P* F r_ij / r + g
 #include "solver/passes/cluster_loop.hpp"
 #include "solver/passes/isa_passes.hpp"
+#include "solver/passes/simd/mixed_lanes.hpp"
 #include "solver/passes/wall_pair.hpp"
 #include "solver/physics/dissipation.hpp"
 #include "solver/physics/riemann.hpp"
@@ -13,67 +14,70 @@ namespace {
 /// What the pass computes, resolved at compile time.
 struct MomentumTerms {
     bool harmonic_pressure;   ///< the pressure mean is harmonic
+    bool dissipation_switch;  ///< Eqs. (14)-(15)
     bool dissipation;         ///< Riemann dissipation, Eq. (10)
     bool viscosity;           ///< physical viscosity, Eq. (13)
-    bool dissipation_switch;  ///< Eqs. (14)-(15)
     bool no_slip;             ///< walls drag the fluid along, Eq. (18)
 };
 
 /// The velocity factor of Eq. (14).
-WETDECK_INLINE Pack switch_velocity(const PassInput& in, const Lanes& i, const FluidState& j,
-                                    const Separation& s) {
-    const Pack sum_x = j.vx + i.vx, sum_y = j.vy + i.vy;
+template <class Number, class Left, class Right>
+WETDECK_INLINE Number switch_velocity(const PassInput& in, const Left& i, const Right& j,
+                                      const SeparationOf<Number>& s) {
+    const Number sum_x = j.vx + i.vx, sum_y = j.vy + i.vy;
     if (in.model->switch_velocity == SwitchVelocity::modulus) {
-        Pack modulus, inverse;
+        Number modulus, inverse;
         square_roots(0.25 * (sum_x * sum_x + sum_y * sum_y), modulus, inverse);
         return modulus;
     }
-    Pack mean = -0.5 * (sum_x * s.x + sum_y * s.y) * s.inverse_distance;
+    Number mean = -0.5 * (sum_x * s.x + sum_y * s.y) * s.inverse_distance;
     if (in.model->switch_velocity == SwitchVelocity::harmonic) {
-        const Pack u_left = -(i.vx * s.x + i.vy * s.y) * s.inverse_distance;
-        const Pack u_right = -(j.vx * s.x + j.vy * s.y) * s.inverse_distance;
+        const Number u_left = -(i.vx * s.x + i.vy * s.y) * s.inverse_distance;
+        const Number u_right = -(j.vx * s.x + j.vy * s.y) * s.inverse_distance;
         mean = harmonic_mean(u_left, u_right, in.model->mean_guard, in.smallest_velocity);
     }
     return maximum(mean, -mean);
 }
 
 /// P* between the particles of a cluster and one neighbour.
-template <MomentumTerms terms>
-WETDECK_INLINE Pack fluid_p_star(const PassInput& in, const Lanes& i, const FluidState& j,
-                                 const Separation& s, const PairCoefficients& c) {
-    Pack p_star;
+template <MomentumTerms terms, class Number, class Left, class Right>
+WETDECK_INLINE Number fluid_p_star(const PassInput& in, const Left& i, const Right& j,
+                                   const SeparationOf<Number>& s, const PairCoefficients& c) {
+    Number p_star;
     if constexpr (terms.harmonic_pressure) {
-        p_star = harmonic_mean_of_pressures(i.pressure, Pack(j.pressure), in.model->mean_guard,
+        p_star = harmonic_mean_of_pressures(i.pressure, Number(j.pressure), in.model->mean_guard,
                                             in.smallest_pressure);
     } else {
-        p_star =
-            weighted_pressure(i.pressure, Pack(j.pressure), c.pressure_weight_left, c.pressure_weight_right);
+        p_star = weighted_pressure(i.pressure, Number(j.pressure), c.pressure_weight_left,
+                                   c.pressure_weight_right);
     }
     if constexpr (terms.dissipation || terms.viscosity || terms.dissipation_switch) {
-        const Pack jump = ((j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y) * s.inverse_distance;
+        const Number jump = ((j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y) * s.inverse_distance;
         if constexpr (terms.dissipation) p_star += riemann_dissipation(jump, c.limiter);
         if constexpr (terms.viscosity) p_star += c.viscosity * maximum(jump, c.lowest_viscous_jump);
         if constexpr (terms.dissipation_switch) {
-            const Pack on = maximum(i.impact, j.impact);
+            const Number on = maximum(i.impact, Number(j.impact));
             p_star += on * c.half_density * switch_velocity(in, i, j, s) * jump;
         }
     }
     return p_star;
 }
 
-template <MomentumTerms terms>
-VectorSum fluid_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, const PairCoefficients& c) {
-    const double inverse_h = 1 / in.kernel.smoothing_length;
-    VectorSum sum;
-    for (const std::uint32_t index : neighbours) {
-        const FluidState& j = in.fluid[index];
-        const Separation s = separation(i, j.x, j.y);
-        const Pack p_star = fluid_p_star<terms>(in, i, j, s, c);
-        const Pack weight = j.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
+template <class Precise, MomentumTerms terms>
+VectorSum fluid_sum(const PassInput& in, const typename Precise::Fluid& i, Neighbours neighbours,
+                    const PairCoefficients& c) {
+    using Number = typename Precise::Number;
+    const double unit = Precise::unit_of_length(in);
+    const double inverse_h = unit / in.kernel.smoothing_length;
+    VectorSumOf<Number> sum;
+    for (const auto& j : Precise::each(in, neighbours)) {
+        const SeparationOf<Number> s = separation(i, j.x, j.y);
+        const Number p_star = fluid_p_star<terms>(in, i, j, s, c);
+        const Number weight = j.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
         sum.x += weight * s.x;
         sum.y += weight * s.y;
     }
-    return sum;
+    return {unit * Precise::total(sum.x), unit * Precise::total(sum.y)};
 }
 
 template <WallTerms terms>
@@ -104,7 +108,7 @@ auto choose_wall_sum(const PassInput& in, std::size_t phase) {
         in.wall_pressure_mean[phase], in.model->wall_pair_mean == WallPairMean::harmonic);
 }
 
-template <MomentumTerms terms>
+template <class Precise, MomentumTerms terms>
 void accelerations(const PassInput& in) {
     for_clusters(in, [&in](const Cluster& cluster) {
         if (idle(in, cluster)) {
@@ -112,24 +116,25 @@ void accelerations(const PassInput& in) {
             return store(0.0, in.acceleration_y, cluster);
         }
         const auto phase_i = static_cast<std::size_t>(cluster.phase);
-        const Lanes i = load(in.fluid, cluster);
+        const typename Precise::Fluid i = Precise::load(in, cluster);
         const double water_weight = substep_weight(in, cluster);
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             const double weight = phase == 1 ? 1 : water_weight;
             if (!(weight > 0)) continue;
-            const VectorSum fluid = fluid_sum<terms>(in, i, fluid_neighbours(*in.blocks, cluster, phase),
-                                                     in.pair[phase_i][phase]);
+            const VectorSum fluid = fluid_sum<Precise, terms>(
+                in, i, fluid_neighbours(*in.blocks, cluster, phase), in.pair[phase_i][phase]);
             sum.x += weight * fluid.x;
             sum.y += weight * fluid.y;
         }
         if (cluster.wall_neighbours > 0 && water_weight > 0) {
             const VectorSum walls = choose_wall_sum<terms.no_slip>(in, phase_i)(
-                in, i, wall_neighbours(*in.blocks, cluster), in.wall_pair[phase_i]);
+                in, Precise::beside_walls(in, cluster, i), wall_neighbours(*in.blocks, cluster),
+                in.wall_pair[phase_i]);
             sum.x += water_weight * in.wall_volume * walls.x;
             sum.y += water_weight * in.wall_volume * walls.y;
         }
-        const Pack factor = 2 * in.kernel.slope_factor() / i.density;
+        const Pack factor = 2 * in.kernel.slope_factor() / Precise::of_cluster(i.density);
         store(factor * sum.x + water_weight * in.gravity.x(), in.acceleration_x, cluster);
         store(factor * sum.y + water_weight * in.gravity.y(), in.acceleration_y, cluster);
     });
@@ -137,13 +142,19 @@ void accelerations(const PassInput& in) {
 
 }  // namespace
 
-Pass momentum_pass(const Model& model) {
+Pass momentum_pass(const Model& model, Precision precision) {
+    const bool dissipation = model.dissipation != Dissipation::none;
+    const bool viscosity = model.viscosity != Viscosity::none, no_slip = model.wall_slip == WallSlip::no;
+    if (precision == Precision::mixed) {
+        return with_flags(
+            []<bool... flags>()->Pass {
+                return accelerations<InMixed, MomentumTerms{false, false, flags...}>;
+            },
+            dissipation, viscosity, no_slip);
+    }
     return with_flags(
-        []<bool harmonic, bool dissipation, bool viscosity, bool switched, bool no_slip>() -> Pass {
-            return accelerations<MomentumTerms{harmonic, dissipation, viscosity, switched, no_slip}>;
-        },
-        model.pressure_mean == Mean::harmonic, model.dissipation != Dissipation::none,
-        model.viscosity != Viscosity::none, model.dissipation_switch, model.wall_slip == WallSlip::no);
+        []<bool... flags>()->Pass { return accelerations<InDouble, MomentumTerms{flags...}>; },
+        model.pressure_mean == Mean::harmonic, model.dissipation_switch, dissipation, viscosity, no_slip);
 }
 
 }  // namespace wetdeck::WETDECK_ISA

@@ -3,14 +3,18 @@
 
 #include "solver/core/errors.hpp"
 #include "solver/passes/instruction_sets.hpp"
+#include "solver/physics/mixed_precision.hpp"
 
 namespace wetdeck {
 
-PairPasses pair_passes(const Model& model, const std::string& instruction_set) {
+PairPasses pair_passes(const Model& model, const std::string& instruction_set, Precision precision) {
+    if (const std::string choice = without_mixed_pairs(model);
+        precision == Precision::mixed && !choice.empty())
+        throw InputError("there are no passes in mixed precision for " + choice);
     struct Choice {
         const char* name;
         bool supported;
-        PairPasses (*choose)(const Model&);
+        PairPasses (*choose)(const Model&, Precision);
     };
 #if defined(__x86_64__) && !defined(WETDECK_PLAIN_SIMD)
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -26,7 +30,7 @@ PairPasses pair_passes(const Model& model, const std::string& instruction_set) {
         if (instruction_set.empty() ? !choice.supported : instruction_set != choice.name) continue;
         if (!choice.supported)
             throw InputError(std::string("this processor does not support ") + choice.name);
-        PairPasses passes = choice.choose(model);
+        PairPasses passes = choice.choose(model, precision);
         passes.instruction_set = choice.name;
         return passes;
     }

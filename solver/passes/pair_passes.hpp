@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include "solver/core/execution.hpp"
 #include "solver/passes/pass_input.hpp"
 #include "solver/physics/density_bounds.hpp"
 
@@ -18,6 +19,7 @@ namespace wetdeck {
 struct DensityUpdate {
     const double* rate = nullptr;  ///< [kg/(m^3 s)]
     const double* mass = nullptr;  ///< [kg/m]
+    MixedFluid* mixed = nullptr;   ///< is kept up where there is one
     std::size_t first = 0, last = 0;
     double dt = 0;  ///< [s]
     TaitEquationOfState eos;
@@ -39,7 +41,8 @@ struct PairPasses {
 };
 
 /// The passes for an instruction set ("sse2", "avx2", "avx512"; empty: the best of this processor). Throws
-/// InputError if it is unknown or not supported here.
-PairPasses pair_passes(const Model& model, const std::string& instruction_set = "");
+/// InputError if it is unknown or not supported here, or if the model has no passes in mixed precision.
+PairPasses pair_passes(const Model& model, const std::string& instruction_set = "",
+                       Precision precision = Precision::double_precision);
 
 }  // namespace wetdeck

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/neighbours/cluster.hpp"
+#include "solver/particles/mixed.hpp"
 #include "solver/particles/walls.hpp"
 #include "solver/passes/coefficients.hpp"
 #include "solver/physics/wendland_c2.hpp"
@@ -29,6 +30,7 @@ struct PassInput {
 
     const Model* model = nullptr;  ///< choices that are made at run time, outside the default scheme
     const FluidState* fluid = nullptr;
+    const MixedFluid* mixed = nullptr;  ///< the same, for passes in mixed precision
     const WallState* wall = nullptr;
     const WallMean* wall_mean = nullptr;
     const double* wall_own_sum = nullptr;

@@ -44,9 +44,25 @@ NeighbourList list_for(const RatesSetup& setup, double skin, bool with_wall_list
     return {setup.domain, setup.particle_spacing, support, skin, with_wall_lists, setup.model.periodic_x};
 }
 
-/// Sets what passes read of this flow and list.
-void set_state(PassInput& in, const Flow& flow, const NeighbourList& list) {
+}  // namespace
+
+Rates::Rates(const RatesSetup& setup, Flow& flow)
+    : setup_(setup),
+      passes_(pair_passes(setup.model, setup.execution.instruction_set, setup.execution.precision)),
+      constants_(constants_of(setup, flow.walls.fixed)),
+      list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
+                     needs_wall_means(setup.model) || !flow.bodies.empty())),
+      listed_bodies_(flow.bodies) {
+    list_.sort_fixed_walls(flow.walls);
+    if (setup.execution.precision == Precision::mixed)
+        mixed_.emplace(setup.domain, constants_.kernel.support_radius());
+}
+
+/// Sets what passes read of this flow.
+void Rates::set_state(PassInput& in, const Flow& flow, const NeighbourList& list) const {
+    in.model = &setup_.model;
     in.fluid = list.listed(flow.fluid);
+    in.mixed = mixed_ ? &*mixed_ : nullptr;
     in.wall = flow.walls.state.data();
     in.wall_mean = flow.walls.mean.data();
     in.wall_own_sum = flow.walls.own_sum.data();
@@ -56,27 +72,16 @@ void set_state(PassInput& in, const Flow& flow, const NeighbourList& list) {
     in.wall_clusters = &list.wall_clusters();
 }
 
-}  // namespace
-
-Rates::Rates(const RatesSetup& setup, Flow& flow)
-    : setup_(setup),
-      passes_(pair_passes(setup.model, setup.execution.instruction_set)),
-      constants_(constants_of(setup, flow.walls.fixed)),
-      list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
-                     needs_wall_means(setup.model) || !flow.bodies.empty())),
-      listed_bodies_(flow.bodies) {
-    list_.sort_fixed_walls(flow.walls);
-}
-
 PassInput Rates::inputs(const Flow& flow) const {
     PassInput in = constants_;
-    in.model = &setup_.model;
     set_state(in, flow, list_);
+    copy_mixed_fluid(flow, list_);
     return in;
 }
 
 PassInput Rates::pass_input(Flow& flow, double substep_weight) const {
-    PassInput in = inputs(flow);
+    PassInput in = constants_;
+    set_state(in, flow, list_);
     in.water_weight = substep_weight;
     if (substep_weight == 0) in.shares = &list_.air_shares();
     if (setup_.model.full_kernel_sum > 0 && substep_weight > 0) in.kernel_sum = flow.fluid.kernel_sum.data();
@@ -92,6 +97,7 @@ PassInput Rates::pass_input(Flow& flow, double substep_weight) const {
 void Rates::build_list(Flow& flow) {
     list_.build(flow.fluid, flow.walls, passes_.filter_near, setup_.execution.threads);
     listed_bodies_ = flow.bodies;
+    forget_mixed_fluid();
     // boundary particles without fluid near are left out of the list
     std::fill(flow.walls.force_x.begin(), flow.walls.force_x.end(), 0.0);
     std::fill(flow.walls.force_y.begin(), flow.walls.force_y.end(), 0.0);
@@ -118,8 +124,22 @@ void Rates::wall_means(Flow& flow, double substep_weight) {
     passes_.wall_means(pass_input(flow, substep_weight));
 }
 
+/// Brings the fluid in single precision up to date where it is not.
+void Rates::refresh_mixed_fluid(const Flow& flow) {
+    if (!mixed_ || mixed_is_current_) return;
+    copy_mixed_fluid(flow, list_);
+    mixed_is_current_ = list_.listed_count(flow.fluid) == flow.fluid.size();  // nobody keeps up the images
+}
+
+void Rates::copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const {
+    if (!mixed_) return;
+    mixed_->copy(list.listed(flow.fluid), list.listed_count(flow.fluid), setup_.execution.threads);
+    mixed_is_current_ = false;
+}
+
 void Rates::density(Flow& flow, double substep_weight) {
     const StageTimer timer(stages_.density);
+    refresh_mixed_fluid(flow);
     passes_.density_rates(pass_input(flow, substep_weight));
     if (setup_.model.sponge_thickness > 0) apply_sponge_layer(flow.fluid, {&flow.fluid.density_rate});
 }
@@ -127,6 +147,7 @@ void Rates::density(Flow& flow, double substep_weight) {
 void Rates::momentum(Flow& flow, double substep_weight) {
     const StageTimer timer(stages_.momentum);
     FluidParticles& fluid = flow.fluid;
+    refresh_mixed_fluid(flow);
     passes_.accelerations(pass_input(flow, substep_weight));
     if (const double frequency = setup_.model.central_frequency; frequency > 0) {
         for (std::size_t i = 0; i < fluid.size(); ++i) {
@@ -197,6 +218,7 @@ DensityUpdate Rates::density_update(Flow& flow, Phase phase, double dt, double s
     DensityUpdate update;
     update.rate = flow.fluid.density_rate.data();
     update.mass = flow.fluid.mass.data();
+    update.mixed = mixed_fluid();
     update.first = water ? 0 : flow.fluid.water;
     update.last = water ? flow.fluid.water : flow.fluid.size();
     update.dt = dt;
@@ -227,8 +249,8 @@ double Rates::momentum_error(const Flow& flow) const {
     list.sort_fixed_walls(copy.walls);
     list.build(copy.fluid, copy.walls, passes_.filter_near, setup_.execution.threads);
     PassInput in = constants_;
-    in.model = &setup_.model;
     set_state(in, copy, list);
+    copy_mixed_fluid(copy, list);
     return momentum_error(in, copy);
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 
 #include "solver/bodies/flow.hpp"
 #include "solver/core/execution.hpp"
@@ -57,6 +58,11 @@ class Rates {
 
     /// All inputs of a pass over the present state; its outputs are not set.
     PassInput inputs(const Flow& flow) const;
+    /// The fluid in single precision where the passes read it, to be kept up by who moves particles; else
+    /// none.
+    MixedFluid* mixed_fluid() const { return mixed_is_current_ ? &*mixed_ : nullptr; }
+    /// Says that particles have been moved or sorted without it.
+    void forget_mixed_fluid() { mixed_is_current_ = false; }
     /// See Simulation::momentum_error.
     double momentum_error(const Flow& flow) const;
 
@@ -65,6 +71,8 @@ class Rates {
     NeighbourList& list() { return list_; }
     const NeighbourList& list() const { return list_; }
     const char* instruction_set() const { return passes_.instruction_set; }
+    /// Memory of the list and of the fluid in single precision [bytes].
+    std::size_t bytes() const { return list_.bytes() + (mixed_ ? mixed_->bytes() : 0); }
     std::uint64_t list_builds() const { return list_builds_; }
     void set_list_builds(std::uint64_t count) { list_builds_ = count; }
     /// The bodies as they were when the list was built.
@@ -76,6 +84,9 @@ class Rates {
 
   private:
     PassInput pass_input(Flow& flow, double substep_weight) const;
+    void set_state(PassInput& in, const Flow& flow, const NeighbourList& list) const;
+    void refresh_mixed_fluid(const Flow& flow);
+    void copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const;
     double momentum_error(PassInput in, const Flow& flow) const;
     DensityUpdate density_update(Flow& flow, Phase phase, double dt, double substep_weight) const;
     void apply_sponge_layer(const FluidParticles& fluid,
@@ -85,6 +96,8 @@ class Rates {
     PairPasses passes_;
     PassInput constants_;  ///< what stays the same over the run
     NeighbourList list_;
+    mutable std::optional<MixedFluid> mixed_;  ///< in mixed precision
+    mutable bool mixed_is_current_ = false;    ///< whether it holds the fluid as it is now
     std::vector<RigidBody> listed_bodies_;
     std::uint64_t list_builds_ = 0, water_near_air_ = 0;
     StageTimes stages_;

@@ -2,10 +2,25 @@
 // Sweeps over particles by themselves: density, pressure and drift at the end of a step; the filter of the
 // neighbour list.
 #include "solver/passes/isa_passes.hpp"
-#include "solver/passes/simd/lanes.hpp"
+#include "solver/passes/simd/mixed_lanes.hpp"
 
 namespace wetdeck::WETDECK_ISA {
 namespace {
+
+/// FixedPoint's conversion, all numbers of a state at once.
+WETDECK_INLINE void copy_row(const FluidState& from, const FixedPoint& fixed_point, MixedState& to) {
+    using Words = PackOf<std::uint32_t, pack_width>::Lanes;
+    using LongWords = PackOf<std::uint64_t, pack_width>::Lanes;
+    static_assert(sizeof(MixedState) == sizeof(Words) && sizeof(FluidState) == sizeof(Pack));
+    Pack row;
+    std::memcpy(&row.lanes, &from, sizeof row.lanes);
+    const auto numbers = __builtin_convertvector(row.lanes, FloatEight::Lanes);
+    const Pack fixed = row * fixed_point.per_metre + FixedPoint::unit_mantissa;
+    const Words low = __builtin_convertvector(reinterpret_cast<LongWords>(fixed.lanes), Words);
+    const Words all =
+        __builtin_shufflevector(low, reinterpret_cast<Words>(numbers), 0, 1, 10, 11, 12, 13, 14, 15);
+    std::memcpy(static_cast<void*>(&to), &all, sizeof all);
+}
 
 template <class Power>
 void update_with(FluidState* state, const DensityUpdate& u, Power power) {
@@ -27,6 +42,9 @@ void update_with(FluidState* state, const DensityUpdate& u, Power power) {
         x += 0.5 * u.dt * vx;
         y += 0.5 * u.dt * vy;
         store_columns(p, state, eight);
+        if (!u.mixed) continue;
+        for (std::size_t i = eight.first; i < eight.first + eight.count; ++i)
+            copy_row(state[i], u.mixed->fixed_point(), u.mixed->data()[i]);
     }
 }
 

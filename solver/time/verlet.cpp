@@ -12,6 +12,7 @@ namespace {
 double kick_and_drift(Flow& flow, Rates& rates, double half, double substep_weight) {
     const StageTimer timer(rates.stages().integration);
     FluidParticles& fluid = flow.fluid;
+    MixedFluid* const mixed = rates.mixed_fluid();
     double fastest2 = 0;
     const auto size = static_cast<std::int64_t>(fluid.size());
 #pragma omp parallel for schedule(static) num_threads(rates.setup().execution.threads) reduction(max \
@@ -24,6 +25,7 @@ double kick_and_drift(Flow& flow, Rates& rates, double half, double substep_weig
         p.x += half * p.vx;
         p.y += half * p.vy;
         fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
+        if (mixed) mixed->set(i, p);
     }
     double fastest = std::sqrt(fastest2);
     for (RigidBody& body : flow.bodies) {

@@ -57,6 +57,12 @@ TEST_CASE("the program refuses an unknown key given by --set", "[faults]") {
     const ScratchFolder folder;
     expect_refusal({"run", "dam_break", "--set", "model.ar=false", "--out", folder / "run"},
                    "key 'model.ar': unknown, expected one of air, ");
+    expect_refusal({"run", "dam_break", "--set", "execution.precision=half", "--out", folder / "run"},
+                   "key 'execution.precision': is 'half', expected one of double, mixed");
+    expect_refusal({"run", "dam_break", "--set", "execution.precision=mixed", "--set",
+                    "model.pressure_mean=harmonic", "--out", folder / "run"},
+                   "key 'execution.precision': is 'mixed', expected 'double' with pressure_mean = ");
+    expect_refusal({"bench", "--precision", "half"}, "precision");
     REQUIRE_FALSE(std::filesystem::exists(folder / "run"));
 }
 

@@ -10,9 +10,11 @@ using namespace wetdeck;
 namespace {
 
 /// A two-phase dam break with walls after 300 steps, by order in memory.
-std::vector<FluidState> dam_break_states(const Model& model, int threads) {
+std::vector<FluidState> dam_break_states(const Model& model, int threads,
+                                         Precision precision = Precision::double_precision) {
     samples::Setup setup = samples::dam_break(model, {0.3, 0.45}, {0.9, 0.6}, 0.03);
     setup.execution.threads = threads;
+    setup.execution.precision = precision;
     Simulation simulation = setup.simulate();
     REQUIRE(simulation.threads() == threads);
     for (int n = 0; n < 300; ++n) REQUIRE_FALSE(simulation.step(1));
@@ -35,6 +37,17 @@ TEST_CASE("A run gives the same bits with one, two and three threads and when it
     CHECK(same_bits(one, dam_break_states(model, 1)));
     CHECK(same_bits(one, dam_break_states(model, 2)));
     CHECK(same_bits(one, dam_break_states(model, 3)));
+}
+
+TEST_CASE(
+    "A run in mixed precision gives the same bits with one, two and three threads, and others than in double",
+    "[determinism][mixed]") {
+    Model model = samples::two_phase_model();
+    model.air_substeps = GENERATE(1, 3);
+    const std::vector<FluidState> one = dam_break_states(model, 1, Precision::mixed);
+    CHECK(same_bits(one, dam_break_states(model, 2, Precision::mixed)));
+    CHECK(same_bits(one, dam_break_states(model, 3, Precision::mixed)));
+    CHECK_FALSE(same_bits(one, dam_break_states(model, 1)));
 }
 
 TEST_CASE("The comparison of bits sees a change in the last digit of one particle", "[determinism]") {

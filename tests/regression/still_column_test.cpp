@@ -92,3 +92,32 @@ TEST_CASE("A column sinks into itself within a second unless the hydrostatic par
     CHECK(sinks_by(true) < 0.0015);  // measured 0.2 mm
     CHECK(sinks_by(false) > 0.003);  // measured 4.6 mm
 }
+
+TEST_CASE("A tank of ten metres at rest has the same pressure in mixed precision as in double",
+          "[still][mixed]") {
+    constexpr double deep = 10, wide = 1, dx = 0.1;
+    const auto pressures = [&](Precision precision) {
+        samples::Setup setup = samples::dam_break(verification::water_model(140, 9.81), {wide, deep},
+                                                  {wide, deep + 1}, dx, false);
+        setup.execution.precision = precision;
+        Simulation simulation = setup.simulate();
+        std::vector<double> sums(4, 0.0);
+        const double heights[] = {0.5, 2.5, 5, 7.5};
+        int samples_taken = 0;
+        while (simulation.time() < 2) {
+            REQUIRE_FALSE(simulation.step(2 - simulation.time()));
+            if (simulation.time() < 0.5) continue;
+            ++samples_taken;
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                sums[k] += PressureGauge({wide, heights[k]}, -Vec2::UnitX(), dx).sample(simulation);
+        }
+        sums.push_back(mean_height(simulation) * samples_taken);
+        for (double& sum : sums) sum /= samples_taken;
+        return sums;
+    };
+    const std::vector<double> in_double = pressures(Precision::double_precision),
+                              in_mixed = pressures(Precision::mixed);
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(in_mixed[k] == Approx(in_double[k]).epsilon(0).margin(1e-5 * weight * deep));
+    CHECK(in_mixed.back() == Approx(in_double.back()).epsilon(0).margin(1e-5 * deep));  // no drift
+}

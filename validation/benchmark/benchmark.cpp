@@ -79,7 +79,9 @@ double mean_neighbours(const Simulation& simulation) {
 double pass_bytes(const Simulation& simulation, std::size_t results) {
     const auto particles = static_cast<double>(simulation.fluid().size());
     const auto walls = static_cast<double>(simulation.walls().size());
-    return particles * static_cast<double>(sizeof(FluidState) + results * sizeof(double)) +
+    const bool mixed = simulation.execution().precision == Precision::mixed;
+    return particles * static_cast<double>((mixed ? sizeof(MixedState) : sizeof(FluidState)) +
+                                           results * sizeof(double)) +
            walls * static_cast<double>(sizeof(WallState) + sizeof(WallMean)) +
            static_cast<double>(sizeof(std::uint32_t)) * listed_neighbours(simulation);
 }
@@ -164,6 +166,7 @@ Benchmark run_benchmark(const BenchmarkOptions& options) {
     benchmark.steps = steps_per_repeat;
     for (const char* variant : {"single-phase", "two-phase"}) {
         Scene scene = read_scene(find_scene("dam_break"), variant);
+        scene.execution.precision = benchmark.precision = options.precision;
         scene.model.air_substeps = 1;  // every particle in every step: what the loops reach
         benchmark.instruction_set =
             pair_passes(scene.model, instruction_set_from_environment()).instruction_set;

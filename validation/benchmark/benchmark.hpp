@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/core/execution.hpp"
 #include "validation/benchmark/machine_limit.hpp"
 #include "validation/benchmark/spread.hpp"
 
@@ -17,6 +18,7 @@ struct BenchmarkOptions {
     int threads = 0;                 ///< largest number of threads, 0: all
     double particle_spacing = 0.02;  ///< [m]
     int repeats = 7;
+    Precision precision = Precision::double_precision;
 };
 
 /// A pass against what the machine could do.
@@ -50,6 +52,7 @@ struct Benchmark {
     double particle_spacing = 0;
     int repeats = 0, steps = 0;  ///< of each repeat
     std::string instruction_set;
+    Precision precision = Precision::double_precision;
     std::vector<BenchmarkCase> cases;
 };
 

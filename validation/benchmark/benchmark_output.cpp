@@ -64,6 +64,10 @@ std::string line(const std::string& label, const Benchmark& benchmark, const Cel
     return out + "\n";
 }
 
+std::string precision_name(const Benchmark& benchmark) {
+    return benchmark.precision == Precision::mixed ? "mixed" : "double";
+}
+
 }  // namespace
 
 std::string benchmark_table(const Benchmark& benchmark) {
@@ -72,9 +76,11 @@ std::string benchmark_table(const Benchmark& benchmark) {
         return fmt::format("{:.2f} ({:.2f}, {:.2f})", s.limit(), s.arithmetic, s.traffic);
     };
     std::string out = fmt::format(
-        "dam_break at {} m from the middle of its run, {}; {} repeats of {} steps, median ± median absolute "
+        "dam_break at {} m from the middle of its run, {}, {} precision; {} repeats of {} steps, median ± "
+        "median absolute "
         "deviation\n",
-        benchmark.particle_spacing, benchmark.instruction_set, benchmark.repeats, benchmark.steps);
+        benchmark.particle_spacing, benchmark.instruction_set, precision_name(benchmark), benchmark.repeats,
+        benchmark.steps);
     out += line("", benchmark, [](const BenchmarkCase& c) { return c.variant; });
     out += line("threads", benchmark, [](const BenchmarkCase& c) { return std::to_string(c.threads); });
     out += line("fluid particles", benchmark,
@@ -140,6 +146,7 @@ json benchmark_json(const Benchmark& benchmark) {
             {"scene", "dam_break"},
             {"dx", benchmark.particle_spacing},
             {"repeats", benchmark.repeats},
+            {"precision", precision_name(benchmark)},
             {"steps_per_repeat", benchmark.steps},
             {"machine", machine},
             {"cases", std::move(cases)}};

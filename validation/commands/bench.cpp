@@ -44,6 +44,12 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 100000))
         ->type_name("N")
         ->capture_default_str();
+    command
+        .add_option("--precision", options->benchmark.precision, "of the sums over pairs: double or mixed")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Precision>{
+            {"double", Precision::double_precision}, {"mixed", Precision::mixed}}))
+        ->type_name("P")
+        ->default_str("double");
     const auto set_json = [json = &options->json](const std::string& file) { *json = file; };
     command
         .add_option_function<std::string>("--json", set_json,

@@ -63,6 +63,7 @@ json run_json(const RunSummary& run) {
     for (const char* key : {"commit", "compiler", "compiler_flags", "build_type", "libraries", "simd", "cpu",
                             "threads", "start_time", "overrides", "reference_hashes"})
         provenance[key] = entry(key);
+    provenance["precision"] = entry("execution.precision");
     json quantities = json::object();
     for (const QuantityResult& result : run.quantities) quantities[result.name] = result;
     json comparisons = json::array();

@@ -56,10 +56,13 @@ json setup_json(const Scene& scene) {
     resolved.model.air_substeps = scene.air ? air_substeps(scene.model) : 1;
     resolved.model.wall_wetting = wets_walls(scene.model, scene.air);
     resolved.execution.threads = 0;
+    json parameters = parameters_json(resolved);
+    // runs of before there was a choice stay the same set-up
+    if (scene.execution.precision == Precision::double_precision) parameters.erase("execution.precision");
     json bodies = json::array();
     for (const BodySpec& body : scene.bodies) bodies.push_back(body_json(body));
     json setup = {{"scheme_revision", scheme_revision},
-                  {"parameters", parameters_json(resolved)},
+                  {"parameters", std::move(parameters)},
                   {"tank", vector_json(scene.tank.high)},
                   {"water_boxes", boxes_json(scene.water_boxes)},
                   {"air_boxes", boxes_json(scene.air ? scene.air_boxes : std::vector<Box>{})},

@@ -157,6 +157,23 @@ ModelKey skin_row() {
     return row;
 }
 
+ModelKey precision_row() {
+    const std::vector<std::string> names = {"double", "mixed"};
+    ModelKey row{"execution", "precision",
+                 "of the sums over pairs of fluid particles: double, or mixed, with pairs in single "
+                 "precision and positions as 32-bit fixed point",
+                 "", ""};
+    row.names = names;
+    row.get = [names](const Scene& s) -> KeyValue {
+        return names.at(static_cast<std::size_t>(s.execution.precision));
+    };
+    row.set = [names](Scene& s, const KeyValue& v) {
+        s.execution.precision =
+            std::get<std::string>(v) == names.front() ? Precision::double_precision : Precision::mixed;
+    };
+    return row;
+}
+
 /// A row of the law of contact.
 ModelKey contact_row(const char* key, double ContactLaw::*member, const char* meaning, const char* unit) {
     ModelKey row{"contact", key, meaning, unit, ""};
@@ -272,6 +289,7 @@ std::vector<ModelKey> rows() {
                          "size of every time step; 0: the stable step of each moment", "Eq. (26)"),
                   "s"),
         skin_row(),
+        precision_row(),
         contact_stiffness_row(),
         contact_restitution_row(),
         material_row(

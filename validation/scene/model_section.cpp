@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "solver/physics/mixed_precision.hpp"
 #include "validation/scene/model_keys.hpp"
 #include "validation/scene/sections.hpp"
 
@@ -80,6 +81,9 @@ void read_model(const TomlTable& root, Scene& scene) {
     model.finish();
     if (const std::optional<TomlTable> execution = root.optional_table("execution")) {
         read_model_keys(*execution, "execution", scene);
+        if (const std::string choice = without_mixed_pairs(m);
+            scene.execution.precision == Precision::mixed && !choice.empty())
+            execution->fail("precision", fmt::format("is 'mixed', expected 'double' with {}", choice));
         execution->finish();
     }
     if (const std::optional<TomlTable> contact = root.optional_table("contact")) {

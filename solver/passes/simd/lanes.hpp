@@ -66,14 +66,17 @@ WETDECK_INLINE void store(Pack values, double* out, const Cluster& cluster) {
 }
 
 /// Geometry of the pairs of a cluster with one neighbour; e points from i to j, e = -(dx, dy) / r.
-struct Separation {
-    Pack x, y, distance, inverse_distance;
+template <class Number>
+struct SeparationOf {
+    Number x, y, distance, inverse_distance;
 };
+using Separation = SeparationOf<Pack>;
 
 /// A particle is in its own list; the smallest distance keeps 1/r finite there, where every other factor is
 /// zero.
 template <class Eight>
-WETDECK_INLINE Separation separation(const Eight& i, double x, double y) {
+requires std::is_same_v<decltype(Eight::x), Pack> WETDECK_INLINE Separation separation(const Eight& i,
+                                                                                       double x, double y) {
     constexpr double least_squared_distance = 1e-60;
     Separation s;
     s.x = i.x - x;
@@ -82,6 +85,45 @@ WETDECK_INLINE Separation separation(const Eight& i, double x, double y) {
     square_roots(squared, s.distance, s.inverse_distance);
     return s;
 }
+
+/// Neighbours as they stand in memory, one after the other.
+template <class State>
+struct OneByOne {
+    struct Iterator {
+        const State* states;
+        const std::uint32_t* index;
+
+        WETDECK_INLINE const State& operator*() const { return states[*index]; }
+        WETDECK_INLINE void operator++() { ++index; }
+        WETDECK_INLINE bool operator!=(const Iterator& other) const { return index != other.index; }
+    };
+    const State* states;
+    Neighbours neighbours;
+
+    WETDECK_INLINE Iterator begin() const { return {states, neighbours.data()}; }
+    WETDECK_INLINE Iterator end() const { return {states, neighbours.data() + neighbours.size()}; }
+};
+
+/// Pairs of fluid particles in double precision. InMixed (mixed_lanes.hpp) has the same members.
+struct InDouble {
+    using Number = Pack;  ///< what a pair computes with
+    using Fluid = Lanes;  ///< a cluster
+    static WETDECK_INLINE Fluid load(const PassInput& in, const Cluster& cluster) {
+        return WETDECK_ISA::load(in.fluid, cluster);
+    }
+    /// The cluster for its pairs with walls, which are in double precision.
+    static WETDECK_INLINE const Lanes& beside_walls(const PassInput&, const Cluster&, const Fluid& fluid) {
+        return fluid;
+    }
+    static WETDECK_INLINE OneByOne<FluidState> each(const PassInput& in, Neighbours neighbours) {
+        return {in.fluid, neighbours};
+    }
+    /// Of separations [m].
+    static constexpr double unit_of_length(const PassInput&) { return 1; }
+    /// A sum, or a number of the cluster, in double precision.
+    static WETDECK_INLINE Pack total(Number sum) { return sum; }
+    static WETDECK_INLINE Pack of_cluster(Number number) { return number; }
+};
 
 /// Eight boundary particles, one per lane.
 struct WallLanes {
@@ -94,8 +136,10 @@ WETDECK_INLINE WallLanes load(const PassInput& in, const Cluster& cluster) {
     return {c[0], c[1], c[2], c[3], c[4], c[5], c[6] - in.gravity.x(), c[7] - in.gravity.y()};
 }
 
-struct VectorSum {
-    Pack x = 0.0, y = 0.0;
+template <class Number>
+struct VectorSumOf {
+    Number x = 0.0, y = 0.0;
 };
+using VectorSum = VectorSumOf<Pack>;
 
 }  // namespace wetdeck::WETDECK_ISA

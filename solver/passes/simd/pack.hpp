@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight doubles that are computed on together. Included only by the translation units of the passes, which
-// are compiled once per instruction set: WETDECK_ISA names the namespace, so that no symbol of one set is
-// linked into another. WETDECK_PLAIN_SIMD leaves out the intrinsics of x86 processors.
+// Numbers that are computed on together: eight doubles. Included only by the translation units of the passes,
+// which are compiled once per instruction set: WETDECK_ISA names the namespace, so that no symbol of one set
+// is linked into another. WETDECK_PLAIN_SIMD leaves out the intrinsics of x86 processors.
 #pragma once
 
 #if defined(__AVX512F__) && !defined(WETDECK_PLAIN_SIMD)
@@ -10,56 +10,66 @@
 #endif
 
 #include <cmath>
+#include <type_traits>
 
 namespace wetdeck::WETDECK_ISA {
 
 inline constexpr int pack_width = 8;
 
-struct Pack {
-    typedef double Lanes __attribute__((vector_size(64)));
-    typedef long long MaskLanes __attribute__((vector_size(64)));
+#define WETDECK_INLINE __attribute__((always_inline)) inline
+
+/// `width` numbers. Numbers of any type stand for a pack of equal ones.
+template <class Number, int width>
+struct PackOf {
+    using MaskNumber = std::conditional_t<sizeof(Number) == 8, long long, int>;
+    typedef Number Lanes __attribute__((vector_size(width * sizeof(Number))));
+    typedef MaskNumber MaskLanes __attribute__((vector_size(width * sizeof(Number))));
     struct Mask {
         MaskLanes lanes;
+
+        friend WETDECK_INLINE Mask operator|(Mask a, Mask b) { return {a.lanes | b.lanes}; }
     };
 
     Lanes lanes;
 
-    Pack() = default;
-    Pack(Lanes v) : lanes(v) {}
-    Pack(double v) : lanes(Lanes{v, v, v, v, v, v, v, v}) {}
+    PackOf() = default;
+    WETDECK_INLINE PackOf(Lanes v) : lanes(v) {}
+    template <class Value>
+    requires std::is_arithmetic_v<Value> WETDECK_INLINE PackOf(Value v)
+        : lanes(static_cast<Number>(v) - Lanes{}) {}
+
+    friend WETDECK_INLINE PackOf operator+(PackOf a, PackOf b) { return a.lanes + b.lanes; }
+    friend WETDECK_INLINE PackOf operator-(PackOf a, PackOf b) { return a.lanes - b.lanes; }
+    friend WETDECK_INLINE PackOf operator-(PackOf a) { return -a.lanes; }
+    friend WETDECK_INLINE PackOf operator*(PackOf a, PackOf b) { return a.lanes * b.lanes; }
+    friend WETDECK_INLINE PackOf operator/(PackOf a, PackOf b) { return a.lanes / b.lanes; }
+    friend WETDECK_INLINE PackOf& operator+=(PackOf& a, PackOf b) { return a = a + b; }
+    friend WETDECK_INLINE Mask operator>(PackOf a, PackOf b) { return {a.lanes > b.lanes}; }
+    friend WETDECK_INLINE Mask operator<(PackOf a, PackOf b) { return {a.lanes < b.lanes}; }
+    friend WETDECK_INLINE PackOf select(Mask m, PackOf a, PackOf b) { return m.lanes ? a.lanes : b.lanes; }
 };
 
-#define WETDECK_INLINE [[gnu::always_inline]] inline
+using Pack = PackOf<double, pack_width>;
 
-WETDECK_INLINE Pack operator+(Pack a, Pack b) {
-    return a.lanes + b.lanes;
-}
-WETDECK_INLINE Pack operator-(Pack a, Pack b) {
-    return a.lanes - b.lanes;
-}
-WETDECK_INLINE Pack operator-(Pack a) {
-    return -a.lanes;
-}
-WETDECK_INLINE Pack operator*(Pack a, Pack b) {
-    return a.lanes * b.lanes;
-}
-WETDECK_INLINE Pack operator/(Pack a, Pack b) {
-    return a.lanes / b.lanes;
-}
-WETDECK_INLINE Pack& operator+=(Pack& a, Pack b) {
-    return a = a + b;
-}
-WETDECK_INLINE Pack::Mask operator>(Pack a, Pack b) {
-    return {a.lanes > b.lanes};
-}
-WETDECK_INLINE Pack::Mask operator<(Pack a, Pack b) {
-    return {a.lanes < b.lanes};
-}
-WETDECK_INLINE Pack::Mask operator|(Pack::Mask a, Pack::Mask b) {
-    return {a.lanes | b.lanes};
-}
-WETDECK_INLINE Pack select(Pack::Mask m, Pack a, Pack b) {
-    return m.lanes ? a.lanes : b.lanes;
+/// Turns a square of eight packs: what was the n-th number of the k-th becomes the k-th of the n-th.
+template <class Eight>
+WETDECK_INLINE void turn(Eight (&a)[pack_width]) {
+    Eight b[pack_width];
+    for (int n = 0; n < pack_width; n += 2) {
+        b[n] = __builtin_shufflevector(a[n].lanes, a[n + 1].lanes, 0, 8, 2, 10, 4, 12, 6, 14);
+        b[n + 1] = __builtin_shufflevector(a[n].lanes, a[n + 1].lanes, 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int n = 0; n < pack_width; ++n) {
+        const auto first = b[n & ~2].lanes, second = b[(n & ~2) + 2].lanes;
+        a[n] = (n & 2) != 0 ? __builtin_shufflevector(first, second, 2, 3, 10, 11, 6, 7, 14, 15)
+                            : __builtin_shufflevector(first, second, 0, 1, 8, 9, 4, 5, 12, 13);
+    }
+    for (int n = 0; n < pack_width; ++n) {
+        const auto first = a[n & ~4].lanes, second = a[(n & ~4) + 4].lanes;
+        b[n] = (n & 4) != 0 ? __builtin_shufflevector(first, second, 4, 5, 6, 7, 12, 13, 14, 15)
+                            : __builtin_shufflevector(first, second, 0, 1, 2, 3, 8, 9, 10, 11);
+    }
+    for (int n = 0; n < pack_width; ++n) a[n] = b[n];
 }
 
 #if defined(WETDECK_AVX512)
@@ -82,38 +92,17 @@ WETDECK_INLINE void square_roots(Pack x, Pack& root, Pack& inverse_root) {
 WETDECK_INLINE bool any_less(Pack a, Pack b) {
     return _mm512_cmp_pd_mask(__m512d(a.lanes), __m512d(b.lanes), _CMP_LT_OQ) != 0;
 }
-/// Turns a square of eight packs: what was the n-th number of the k-th becomes the k-th of the n-th.
-WETDECK_INLINE void turn(Pack::Lanes (&a)[pack_width]) {
-    Pack::Lanes b[pack_width];
-    for (int n = 0; n < pack_width; n += 2) {
-        b[n] = __builtin_shufflevector(a[n], a[n + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-        b[n + 1] = __builtin_shufflevector(a[n], a[n + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int n = 0; n < pack_width; ++n) {
-        const int low = n & ~2;
-        a[n] = (n & 2) != 0 ? __builtin_shufflevector(b[low], b[low + 2], 2, 3, 10, 11, 6, 7, 14, 15)
-                            : __builtin_shufflevector(b[low], b[low + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-    }
-    for (int n = 0; n < pack_width; ++n) {
-        const int low = n & ~4;
-        b[n] = (n & 4) != 0 ? __builtin_shufflevector(a[low], a[low + 4], 4, 5, 6, 7, 12, 13, 14, 15)
-                            : __builtin_shufflevector(a[low], a[low + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    }
-    for (int n = 0; n < pack_width; ++n) a[n] = b[n];
-}
 /// rows[k] holds eight numbers; columns[n] receives the n-th of each.
 WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
-    Pack::Lanes a[pack_width];
-    for (int n = 0; n < pack_width; ++n) a[n] = Pack::Lanes(_mm512_load_pd(rows[n]));
-    turn(a);
-    for (int n = 0; n < pack_width; ++n) columns[n] = a[n];
+    for (int n = 0; n < pack_width; ++n) columns[n] = Pack::Lanes(_mm512_load_pd(rows[n]));
+    turn(columns);
 }
 /// The way back; several rows may be the same place, which then receives the last of them.
 WETDECK_INLINE void transpose(const Pack (&columns)[pack_width], double* const (&rows)[pack_width]) {
-    Pack::Lanes a[pack_width];
-    for (int n = 0; n < pack_width; ++n) a[n] = columns[n].lanes;
-    turn(a);
-    for (int n = 0; n < pack_width; ++n) _mm512_store_pd(rows[n], __m512d(a[n]));
+    Pack turned[pack_width];
+    for (int n = 0; n < pack_width; ++n) turned[n] = columns[n];
+    turn(turned);
+    for (int n = 0; n < pack_width; ++n) _mm512_store_pd(rows[n], __m512d(turned[n].lanes));
 }
 #else
 WETDECK_INLINE Pack maximum(Pack a, Pack b) {
@@ -142,7 +131,8 @@ WETDECK_INLINE void transpose(const Pack (&columns)[pack_width], double* const (
 }
 #endif
 
-WETDECK_INLINE Pack positive_part(Pack a) {
+template <class Number, int width>
+WETDECK_INLINE PackOf<Number, width> positive_part(PackOf<Number, width> a) {
     return maximum(a, 0.0);
 }
 

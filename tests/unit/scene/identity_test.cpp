@@ -50,8 +50,8 @@ TEST_CASE("everything that decides the results changes the identity of a run", "
     std::set<std::string> seen = {identity(small_scene)};
     for (const std::string assignment :
          {"run.end_time=0.1", "run.sample_interval=0.003", "run.frames=[0.07]", "model.dissipation_slope=9",
-          "model.wall_slip=no", "model.air_substeps=5", "execution.skin=0.3", "water.sound_speed=15",
-          "air.viscosity=2e-5", "gravity=[0.0, -9.8]", "initial.surface=0.21",
+          "model.wall_slip=no", "model.air_substeps=5", "execution.skin=0.3", "execution.precision=mixed",
+          "water.sound_speed=15", "air.viscosity=2e-5", "gravity=[0.0, -9.8]", "initial.surface=0.21",
           "scheme=without-dissipation"}) {
         INFO(assignment);
         CHECK(seen.insert(identity(small_scene, {assignment})).second);
@@ -63,6 +63,7 @@ TEST_CASE("a default that is written out is the same set-up; another default wou
           "[identity]") {
     const std::string before = identity(small_scene);
     CHECK(identity(small_scene, {"model.dissipation_slope=10"}) == before);
+    CHECK(identity(small_scene, {"execution.precision=double"}) == before);
     const nlohmann::json parameters = parameters_json(read(small_scene));
     for (const ModelKey& row : model_keys()) {
         INFO(row.dotted());

@@ -201,6 +201,25 @@ TEST_CASE("numbers outside their range are refused with the value") {
                  EndsWith("key 'run.frame_interval': would write more than 100,000 frames"));
 }
 
+TEST_CASE("a precision that does not exist, or that a scheme does not have, is refused") {
+    const auto precision = [](const std::string& value, const std::string& choice = "") {
+        return refusal(with_line("[model]", choice) + "\n[execution]\nprecision = " + value + "\n");
+    };
+    REQUIRE_THAT(precision("\"single\""),
+                 EndsWith("key 'execution.precision': is 'single', expected one of double, mixed"));
+    for (const char* value : {"32", "true", "[\"mixed\"]", "\"Mixed\"", "\"\"", "\"float\"", "0.5"}) {
+        INFO(value);
+        REQUIRE_THAT(precision(value), Contains("key 'execution.precision'") && Contains("expected"));
+    }
+    for (const char* choice : {"velocity_mean = \"harmonic\"", "pressure_mean = \"harmonic\"",
+                               "impedance_mean = \"harmonic\"", "dissipation_switch = true"}) {
+        INFO(choice);
+        REQUIRE_THAT(
+            precision("\"mixed\"", choice),
+            EndsWith(std::string("key 'execution.precision': is 'mixed', expected 'double' with ") + choice));
+    }
+}
+
 TEST_CASE("a harmonic mean of pressures without background pressure is refused for two phases") {
     REQUIRE_THAT(
         refusal(with("background_pressure = 500.0", "pressure_mean = \"harmonic\"")),

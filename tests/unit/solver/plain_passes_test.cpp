@@ -5,7 +5,7 @@
 #include "tests/support/samples.hpp"
 
 namespace wetdeck::plain {
-PairPasses choose_pair_passes(const Model& model);
+PairPasses choose_pair_passes(const Model& model, Precision precision);
 }
 
 using namespace wetdeck;
@@ -19,7 +19,7 @@ TEST_CASE("Passes without intrinsics give the rates of every instruction set to 
     in.kernel_sum = sum.data();
     in.acceleration_x = ax.data();
     in.acceleration_y = ay.data();
-    const PairPasses passes = plain::choose_pair_passes(simulation.model());
+    const PairPasses passes = plain::choose_pair_passes(simulation.model(), Precision::double_precision);
     passes.density_rates(in);
     passes.accelerations(in);
     for (std::size_t i = 0; i < fluid.size(); ++i) {
