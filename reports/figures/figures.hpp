@@ -16,8 +16,8 @@ std::vector<Figure> comparison_figures(const AnalysisSpec& scene, const Runs& ru
                                        std::size_t variant);
 std::vector<Figure> variant_figures(const AnalysisSpec& scene, const Runs& runs);
 
-/// Loads and motion of bodies that the scene compares with nothing; series over an abscissa.
-std::vector<Figure> body_figures(const Runs& runs);
+/// Probes, and loads and motion of bodies, that the scene compares with nothing; series over an abscissa.
+std::vector<Figure> history_figures(const AnalysisSpec& scene, const Runs& runs);
 std::vector<Figure> profile_figures(const Runs& runs);
 
 /// One series of the variants that the scene wants beside each other, scaled as in its first comparison.

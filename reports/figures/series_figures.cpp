@@ -64,7 +64,8 @@ Figure profile_figure(const RunSummary& run, const std::string& name, const Seri
     return figure;
 }
 
-Figure body_figure(const Runs& finest, const std::string& name) {
+/// One series of the variants at their finest spacings.
+Figure history_figure(const Runs& finest, const std::string& name) {
     Figure figure;
     const RunRecord& first = finest.front()->record;
     figure.name = fmt::format("{}-{}", first.scene, name);
@@ -96,7 +97,7 @@ bool of_interest(const std::string& name) {
 }
 
 /// One series of a variant at all its spacings, for series that no comparison shows.
-Figure body_spacing_figure(const Runs& runs_of_variant, const std::string& name) {
+Figure spacing_figure(const Runs& runs_of_variant, const std::string& name) {
     Figure figure;
     const RunRecord& finest = runs_of_variant.back()->record;
     figure.name = fmt::format("{}-{}-{}", finest.scene, finest.variant, name);
@@ -125,23 +126,27 @@ bool compared(const Runs& runs, const std::string& series) {
 
 }  // namespace
 
-std::vector<Figure> body_figures(const Runs& runs) {
+std::vector<Figure> history_figures(const AnalysisSpec& scene, const Runs& runs) {
     const Runs finest = finest_of_each(runs);
+    const std::set<std::string> probes(scene.probes.begin(), scene.probes.end());
     std::set<std::string> names;
     for (const RunSummary* run : finest) {
         for (const auto& [name, series] : run->record.series) {
-            if (of_interest(name) && series.columns() == 1 && !compared(runs, name)) names.insert(name);
+            const bool shown = of_interest(name) || probes.contains(name);
+            if (shown && series.columns() == 1 && !compared(runs, name)) names.insert(name);
         }
     }
     std::vector<Figure> figures;
     for (const std::string& name : names) {
-        Figure figure = body_figure(finest, name);
+        Figure figure = history_figure(finest, name);
         if (!figure.series.empty()) figures.push_back(std::move(figure));
     }
     const Runs first = with_variant(runs, runs.front()->record.variant);
-    for (const char* name : {"body_x", "body_y", "body_force_y", "body_acceleration_y"}) {
+    std::set<std::string> over_spacings = probes;
+    over_spacings.insert({"body_x", "body_y", "body_force_y", "body_acceleration_y"});
+    for (const std::string& name : over_spacings) {
         if (names.count(name) == 0 || first.size() < 2) continue;
-        Figure figure = body_spacing_figure(first, name);
+        Figure figure = spacing_figure(first, name);
         if (!figure.series.empty()) figures.push_back(std::move(figure));
     }
     return figures;

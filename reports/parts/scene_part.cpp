@@ -166,9 +166,9 @@ void add_scene_part(Page& page, const Summary& summary, const AnalysisSpec& scen
         page.add(statements);
     }
     add_comparisons(page, scene, runs);
-    std::vector<Figure> uncompared = body_figures(runs);
+    std::vector<Figure> uncompared = history_figures(scene, runs);
     for (Figure& profile : profile_figures(runs)) uncompared.push_back(std::move(profile));
-    if (!uncompared.empty()) page.section(2, "Loads and motion", scene.scene);
+    if (!uncompared.empty()) page.section(2, "Probes, loads and motion", scene.scene);
     page.add_figures(uncompared);
 
     page.section(2, "Convergence", scene.scene);

@@ -24,6 +24,20 @@ std::vector<std::string> short_run(const std::string& scene, const std::string& 
 
 }  // namespace
 
+TEST_CASE("the threads of a run wait politely, however the program is started", "[faults]") {
+    const ScratchFolder folder;
+    samples::Program run({"run", put_scene(folder), "--dx", "0.01", "--out", folder / "run"}, folder);
+    CHECK(samples::Program::true_within(std::chrono::seconds(20), [&run] {
+        return run.environment().find("GOMP_SPINCOUNT=20000") != std::string::npos;
+    }));
+    ::setenv("OMP_WAIT_POLICY", "passive", 1);  // a choice of the user's own stays
+    samples::Program other({"run", put_scene(folder), "--dx", "0.01", "--out", folder / "other"}, folder);
+    ::unsetenv("OMP_WAIT_POLICY");
+    CHECK(samples::Program::true_within(
+        std::chrono::seconds(20), [&] { return std::filesystem::exists(folder / "other/fields.pvd"); }));
+    CHECK(other.environment().find("GOMP_SPINCOUNT") == std::string::npos);
+}
+
 TEST_CASE("a short good run ends with exit code 0 and a whole store", "[faults]") {
     const ScratchFolder folder;
     const Outcome outcome = run_program({"run", "dam_break", "--variant", "single-phase", "--dx", "0.04",

@@ -34,7 +34,6 @@ class Program {
         redirect("/dev/null", O_RDONLY, STDIN_FILENO);
         redirect(out_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDOUT_FILENO);
         redirect(err_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, STDERR_FILENO);
-        ::setenv("OMP_WAIT_POLICY", "passive", 0);  // tests run side by side: threads must not wait busily
         ::execv(WETDECK_PROGRAM, argv.data());
         ::_exit(127);
     }
@@ -78,6 +77,8 @@ class Program {
         }
         return true;
     }
+    /// Of the program as it runs, one NUL-terminated NAME=VALUE after the other.
+    std::string environment() const { return bytes_of("/proc/" + std::to_string(process_) + "/environ"); }
     std::string out() const { return bytes_of(out_); }
     std::string err() const { return bytes_of(err_); }
 

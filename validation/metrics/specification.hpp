@@ -189,6 +189,7 @@ struct AnalysisSpec {
     std::vector<std::string> stated_contacts;   ///< origins named after a contact that are numbers
     std::vector<OriginEvent> contacts;          ///< geometric, of each body
     double sample_interval = 0;                 ///< of the series [s]
+    std::vector<std::string> probes;            ///< names of the series of the scene's probes
     std::vector<SensitivitySpec> sensitivities;
     std::vector<std::string> sound_speed_variants;    ///< run at other sound speeds, too
     std::vector<std::string> twice_sound_speed_with;  ///< KEY=VALUE of the run at twice the sound speed

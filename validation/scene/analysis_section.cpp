@@ -285,6 +285,7 @@ void read_origins(const TomlTable& root, const Axes& axes, Scene& scene) {
 void read_analysis(const TomlTable& root, Scene& scene) {
     AnalysisSpec& analysis = scene.analysis;
     const Axes axes(root, scene);
+    for (const Probe& probe : scene.probes) analysis.probes.push_back(probe.series.name);
     const std::set<std::string> quantities = read_quantities(root, axes, scene);
     read_comparisons(root, axes, scene);
     read_origins(root, axes, scene);
