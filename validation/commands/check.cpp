@@ -75,7 +75,8 @@ Finding check_scene(const std::string& file) {
         found.notes.push_back(fmt::format(
             "reference_data/{}/{}.csv is neither compared with nor listed in [[unused_references]]",
             scene.name(), name));
-    found.sentence = fmt::format("scene '{}' with {} variants", scene.name(), variants.size());
+    found.sentence = fmt::format("scene '{}' with {} variant{}", scene.name(), variants.size(),
+                                 variants.size() == 1 ? "" : "s");
     found.details = {{"scene", scene.name()},
                      {"variants", variants},
                      {"missing_references", missing},

@@ -28,14 +28,36 @@ int report_command(const ReportOptions& options) {
     return verdict;
 }
 
+/// Whether a doubt is about a run of the report, not one of a study.
+bool about_shown_run(const RunDoubt& doubt, const Summary& summary) {
+    return std::any_of(summary.runs.begin(), summary.runs.end(), [&doubt](const RunSummary& run) {
+        const RunRecord& r = run.record;
+        return r.scene == doubt.scene && r.variant == doubt.variant && r.particle_spacing == doubt.dx &&
+               provenance_entry(r, "overrides") == doubt.overrides;
+    });
+}
+
+/// One line each; runs of studies, which mostly repeat those of the run that they vary, are counted.
+void print_doubts(const Summary& summary) {
+    std::size_t of_studies = 0;
+    for (const RunDoubt& doubt : summary.doubts) {
+        if (about_shown_run(doubt, summary))
+            fmt::print(stderr, "doubt: {} {} dx {}: {}\n", doubt.scene, doubt.variant, doubt.dx,
+                       doubt.sentence);
+        else
+            ++of_studies;
+    }
+    if (of_studies > 0)
+        fmt::print(stderr, "doubt: {} more about runs of studies, see summary.json\n", of_studies);
+}
+
 }  // namespace
 
 int print_verdict(const Summary& summary, const std::filesystem::path& directory) {
     for (const std::string& curve : unusable_curves(summary)) fmt::print(stderr, "note: {}\n", curve);
     fmt::print("report: {}\n", (directory / "index.html").string());
     std::fflush(stdout);
-    for (const RunDoubt& doubt : summary.doubts)
-        fmt::print(stderr, "doubt: {} {} dx {}: {}\n", doubt.scene, doubt.variant, doubt.dx, doubt.sentence);
+    print_doubts(summary);
     for (const LeftOutRun& run : summary.left_out)
         fmt::print(stderr, "left out: {}: {}\n", run.directory, fmt::join(run.differences, "; "));
     const std::vector<std::string> outside = outside_tolerance(summary);

@@ -312,7 +312,7 @@ Scene read_scene(const fs::path& path, const std::optional<std::string>& variant
 CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
     // What the default scheme reaches per core on AVX-512 over whole runs, and what a particle costs in a
     // field file; measured over the quick and standard tiers.
-    constexpr double steps_per_second_alone = 4.2e6, steps_per_second_with_air = 5.2e6,
+    constexpr double steps_per_second_alone = 4.9e6, steps_per_second_with_air = 6.0e6,
                      seconds_in_frame = 1e-6;
     // Of a particle-step: what water costs in a step of the air that leaves it alone.
     constexpr double resting = 0.2;
