@@ -16,13 +16,6 @@ std::string title_of(const Summary& summary, const ReportInputs& inputs) {
     return summary.missing.empty() ? title : "INCOMPLETE: " + title;
 }
 
-/// Short enough for the line of links.
-std::string label_of(const AnalysisSpec& scene) {
-    std::string label = scene.scene;
-    std::replace(label.begin(), label.end(), '_', ' ');
-    return label;
-}
-
 void add_statistics_page(Pages& pages, const Summary& summary) {
     Page& page = pages.add("statistics", "Statistics over all scenes", "statistics");
     add_verdicts_part(page, summary);
@@ -40,7 +33,7 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
     std::map<std::string, std::string> scene_pages;
     for (const AnalysisSpec& scene : scenes_of(summary)) {
         Page& page = pages.add("scene-" + slug(scene.scene), scene.title.empty() ? scene.scene : scene.title,
-                               label_of(scene));
+                               scene_label(scene.scene));
         scene_pages[scene.scene] = pages.address_of_page(page.name());
         add_scene_part(page, summary, scene, inputs);
     }

@@ -207,6 +207,11 @@ std::string scene_words(const Summary& summary, const std::string& scene) {
     return title.empty() ? scene : title;
 }
 
+std::string scene_label(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 std::string unit_words(const AnalysisSpec& scene, const ValidationRow& row) {
     if (row.unit != "-" && !row.unit.empty()) return row.unit;
     const ComparisonSpec* compared = find_comparison(scene, row.against, row.quantity);

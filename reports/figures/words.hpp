@@ -28,6 +28,9 @@ std::string quantity_words(const Summary& summary, const std::string& scene, con
 /// The scene's title; its name where it has none.
 std::string scene_words(const Summary& summary, const std::string& scene);
 
+/// The name of a scene with spaces, short enough for the line of links and narrow columns.
+std::string scene_label(std::string name);
+
 /// The unit of a value of the scene as a reader needs it: that of the row, or of the scaled axis: "kN/m",
 /// "p/(rho g h_w)".
 std::string unit_words(const AnalysisSpec& scene, const ValidationRow& row);

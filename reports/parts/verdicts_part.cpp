@@ -39,9 +39,9 @@ std::string verdicts_table(const Summary& summary, const std::vector<ValidationR
     for (const ValidationRow& row : rows) {
         const AnalysisSpec scene = scene_named(summary, row.scene);
         const std::string unit = unit_words(scene, row);
-        const std::string of_variant =
-            fmt::format("{}<br><span class=\"soft\">{}</span>",
-                        named_words(scene_words(summary, row.scene), row.scene), escape(row.variant));
+        const std::string of_variant = fmt::format(
+            "{}<br><span class=\"soft\">{}</span>",
+            named_words(scene_label(row.scene), scene_words(summary, row.scene)), escape(row.variant));
         table.add(
             {markup(of_variant), named(quantity_words(scene, row.quantity), row.quantity),
              value(row.simulated, unit),

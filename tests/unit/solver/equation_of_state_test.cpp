@@ -98,7 +98,7 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
         }
         const std::vector<FluidState> before = state;
         const PairPasses loops = pair_passes(samples::two_phase_model(), name);
-        DensityUpdate update{rate.data(), mass.data(), 2, 19, dt, eos, {}, 1};
+        DensityUpdate update{rate.data(), mass.data(), nullptr, 2, 19, dt, eos, {}, 1};
         update.bounds.lowest = lowest;
         loops.update_density(state.data(), update);
         for (std::size_t i = 0; i < state.size(); ++i) {
