@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "reports/figures/words.hpp"
 #include "reports/page/html.hpp"
 #include "reports/parts/parts.hpp"
 
