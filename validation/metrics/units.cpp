@@ -46,8 +46,8 @@ const std::map<std::string, std::string>& own_names() {
     return names;
 }
 
-/// Units at sea that udunits2 reads as a prefix and a unit (nano-miles, femtometres, thousandths of the weight
-/// of water), and tons, of which it means the one of 907 kg.
+/// Units at sea that udunits2 reads as a prefix and a unit (nano-miles, femtometres, thousandths of the
+/// weight of water), and tons, of which it means the one of 907 kg.
 void refuse_units_at_sea(const std::string& text) {
     static const std::map<std::string, std::string> meant{
         {"nmi", "nautical_mile in full"},

@@ -191,7 +191,7 @@ TEST_CASE("Any reference file is read back, bit for bit", "[generated][reference
             RC_ASSERT(column.empty_cells == empty);
         }
         RC_ASSERT(reference.keys.at("note") == "i: j, k");
-        RC_ASSERT(reference.u_data == 0.03);
+        RC_ASSERT(reference.u_data.value().value == 0.03);
     });
 }
 
