@@ -17,7 +17,7 @@ struct Execution {
     int threads = 0;                   ///< 0: as many as OpenMP offers
     double skin = 0.2;                 ///< of the neighbour list, in smoothing lengths
     std::string instruction_set = {};  ///< "sse2", "avx2" or "avx512"; empty: the best of this processor
-    Precision precision = Precision::double_precision;
+    Precision precision = Precision::double_precision;  ///< of the sums over pairs
 };
 
 }  // namespace wetdeck

@@ -20,11 +20,13 @@ namespace wetdeck {
 
 /// A fluid particle in single precision; its numbers stand as in FluidState.
 struct alignas(32) MixedState {
-    std::uint32_t x = 0, y = 0;  ///< position [units]
-    float vx = 0, vy = 0;        ///< [m/s]
-    float pressure = 0;          ///< [Pa]
-    float volume = 0;            ///< [m^2]
-    float density = 1;           ///< [kg/m^3]
+    std::uint32_t x = 0;  ///< position [units]
+    std::uint32_t y = 0;  ///< position [units]
+    float vx = 0;         ///< [m/s]
+    float vy = 0;         ///< [m/s]
+    float pressure = 0;   ///< [Pa]
+    float volume = 0;     ///< [m^2]
+    float density = 1;    ///< [kg/m^3]
 };
 
 /// The unit of positions.
@@ -54,16 +56,21 @@ struct FixedPoint {
 /// The fluid, and behind it its periodic images, in single precision.
 class MixedFluid {
   public:
+    /// @param domain          interior of the tank [m]
+    /// @param support_radius  of the kernel [m]
     MixedFluid(Box domain, double support_radius);
 
     /// Copies `count` particles.
     void copy(const FluidState* fluid, std::size_t count, int threads);
     /// To be kept up by who moves particles.
     MixedState* data() { return state_.data(); }
+    /// For who reads them.
     const MixedState* data() const { return state_.data(); }
+    /// How positions are converted.
     const FixedPoint& fixed_point() const { return fixed_point_; }
     /// A particle without volume, out of every support.
     const MixedState& nowhere() const { return nowhere_; }
+    /// Memory taken.
     std::size_t bytes() const { return state_.capacity() * sizeof(MixedState); }
 
   private:

@@ -2,6 +2,7 @@
 # On a terminal `wetdeck new` asks for what is missing, and again where the answer is no positive number.
 set -euo pipefail
 command -v script >/dev/null || { echo "not tested: no script (bsdutils), which makes a terminal"; exit 77; }
+script -qec true /dev/null >/dev/null 2>&1 || { echo "not tested: this machine makes no terminals (/dev/pts)"; exit 77; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
