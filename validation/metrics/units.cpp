@@ -49,13 +49,12 @@ const std::map<std::string, std::string>& own_names() {
 /// Units at sea that udunits2 reads as a prefix and a unit (nano-miles, femtometres, thousandths of the
 /// weight of water), and tons, of which it means the one of 907 kg.
 void refuse_units_at_sea(const std::string& text) {
-    static const std::map<std::string, std::string> meant{
-        {"nmi", "nautical_mile in full"},
-        {"fm", "fathom in full"},
-        {"ton", "t (1000 kg), short_ton or long_ton"},
-        {"tons", "t (1000 kg), short_ton or long_ton"},
-        {"ton_force", "a force in kN, or in kgf"},
-        {"mH2O", "'m H2O' for metres of water, or kPa"}};
+    static const std::map<std::string, std::string> meant{{"nmi", "nautical_mile in full"},
+                                                          {"fm", "fathom in full"},
+                                                          {"ton", "t (1000 kg), short_ton or long_ton"},
+                                                          {"tons", "t (1000 kg), short_ton or long_ton"},
+                                                          {"ton_force", "a force in kN, or in kgf"},
+                                                          {"mH2O", "'m H2O' for metres of water, or kPa"}};
     std::string word;
     for (const char c : text + " ") {
         if (std::isalpha(static_cast<unsigned char>(c)) || c == '_' || word == "mH" || word == "mH2") {
