@@ -33,8 +33,9 @@ struct RunOptions {
 /// Runs and stores. A run that becomes unstable is stored too, with status and reason, its series and its
 /// last good fields. Where the directory holds a checkpoint of the same run it continues from there and ends
 /// with the same bits. A run that reaches its end and writes all fields keeps the checkpoint before its last
-/// step, from which it can go on to a later end. Throws InputError (bad scene, spacing, directory in use), EnvironmentError (disk
-/// full, no permission) and, when a signal came and its checkpoint is written, Interrupted.
+/// step, from which it can go on to a later end. Throws InputError (bad scene, spacing, directory in use),
+/// EnvironmentError (disk full, no permission) and, when a signal came and its checkpoint is written,
+/// Interrupted.
 RunRecord run_scene(const Scene& scene, const RunOptions& options, Progress& progress);
 
 /// The scene and options of the run in a directory that its checkpoint can continue. With `until` [s] the run
