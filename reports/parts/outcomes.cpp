@@ -176,29 +176,31 @@ std::string badge(const std::string& words, Tone tone) {
                        escape(words));
 }
 
+Outcome outcome_of(const Summary& summary, const AnalysisSpec& scene) {
+    Outcome outcome;
+    outcome.scene = scene.scene;
+    outcome.title = scene.title.empty() ? scene.scene : scene.title;
+    const Runs runs = runs_of(summary, scene);
+    if (runs.empty()) {
+        outcome.verdict = "not run";
+        return outcome;
+    }
+    outcome.run = finest_of_each(runs).front();
+    const RunRecord& record = outcome.run->record;
+    if (record.status == RunStatus::ok) {
+        evaluate(outcome, summary, scene);
+        return outcome;
+    }
+    const bool expected = unstable_as_expected(*outcome.run);
+    outcome.verdict = record.status == RunStatus::unstable ? "became unstable" : "failed";
+    if (expected) outcome.verdict += ", as expected";
+    outcome.tone = expected ? Tone::open : Tone::bad;
+    return outcome;
+}
+
 std::vector<Outcome> outcomes_of(const Summary& summary) {
     std::vector<Outcome> out;
-    for (const AnalysisSpec& scene : scenes_of(summary)) {
-        Outcome outcome;
-        outcome.scene = scene.scene;
-        outcome.title = scene.title.empty() ? scene.scene : scene.title;
-        const Runs runs = runs_of(summary, scene);
-        if (runs.empty()) {
-            outcome.verdict = "not run";
-        } else {
-            outcome.run = finest_of_each(runs).front();
-            const RunRecord& record = outcome.run->record;
-            if (record.status == RunStatus::ok) {
-                evaluate(outcome, summary, scene);
-            } else {
-                const bool expected = unstable_as_expected(*outcome.run);
-                outcome.verdict = record.status == RunStatus::unstable ? "became unstable" : "failed";
-                if (expected) outcome.verdict += ", as expected";
-                outcome.tone = expected ? Tone::open : Tone::bad;
-            }
-        }
-        out.push_back(std::move(outcome));
-    }
+    for (const AnalysisSpec& scene : scenes_of(summary)) out.push_back(outcome_of(summary, scene));
     return out;
 }
 

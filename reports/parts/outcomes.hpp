@@ -32,6 +32,8 @@ struct Outcome {
 /// verdict; a value of the same series that has one, measurements before exact solutions before others;
 /// the `error_quantity` within its tolerance; a value of another series with a verdict; a curve within its
 /// tolerance; a quantity without an expected value.
+Outcome outcome_of(const Summary& summary, const AnalysisSpec& scene);
+/// Of all scenes.
 std::vector<Outcome> outcomes_of(const Summary& summary);
 
 /// The curve of the main quantity over its reference; without series where the run has none.

@@ -84,20 +84,18 @@ void add_differences(Page& page, const AnalysisSpec& scene, const ReportInputs& 
 
 /// The main quantity of the scene in one sentence.
 std::string outcome_sentence(const Summary& summary, const AnalysisSpec& scene) {
-    for (const Outcome& o : outcomes_of(summary)) {
-        if (o.scene != scene.scene || o.run == nullptr) continue;
-        std::string html = fmt::format("<p class=\"lead\">{} {}", badge(o.verdict, o.tone),
-                                       named_words(o.words, o.quantity));
-        if (o.reached) html += ": " + escape(number_with_unit(o.reached, o.unit));
-        if (o.expected)
-            html += escape(fmt::format(" against {} ({})", number_with_unit(o.expected, o.unit), o.kind));
-        const RunRecord& record = o.run->record;
-        return html +
-               escape(fmt::format("; {}, {}, {} core-seconds.", record.variant,
-                                  spacing_text(record.particle_spacing), number(record.cost.core_s))) +
-               "</p>\n";
-    }
-    return "";
+    const Outcome o = outcome_of(summary, scene);
+    if (o.run == nullptr) return "";
+    std::string html =
+        fmt::format("<p class=\"lead\">{} {}", badge(o.verdict, o.tone), named_words(o.words, o.quantity));
+    if (o.reached) html += ": " + escape(number_with_unit(o.reached, o.unit));
+    if (o.expected)
+        html += escape(fmt::format(" against {} ({})", number_with_unit(o.expected, o.unit), o.kind));
+    const RunRecord& record = o.run->record;
+    return html +
+           escape(fmt::format("; {}, {}, {} core-seconds.", record.variant,
+                              spacing_text(record.particle_spacing), number(record.cost.core_s))) +
+           "</p>\n";
 }
 
 void add_comparisons(Page& page, const AnalysisSpec& scene, const Runs& runs) {

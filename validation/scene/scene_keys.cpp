@@ -14,6 +14,7 @@
 #include "validation/metrics/statements.hpp"
 #include "validation/scene/model_keys.hpp"
 #include "validation/scene/probe.hpp"
+#include "validation/store/text_table.hpp"
 
 namespace wetdeck {
 namespace {
@@ -201,11 +202,6 @@ unused_references[].file | | required | name of a curve | one that lies at hand 
 unused_references[].reason | | required | text | why |
 )";
 
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \n"), last = text.find_last_not_of(" \n");
-    return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
 /// The names that a placeholder in the tables stands for.
 std::string with_names(std::string range) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> lists = {
@@ -222,7 +218,7 @@ SceneKey key_of(const std::string& row) {
     std::size_t begin = 0;
     for (std::string& cell : cells) {
         const std::size_t end = std::min(row.find('|', begin), row.size());
-        cell = trimmed(row.substr(begin, end - begin));
+        cell = trimmed(std::string_view(row).substr(begin, end - begin));
         begin = std::min(end + 1, row.size());
     }
     return {cells[0], cells[1], cells[2], with_names(cells[3]), cells[4], cells[5], ""};

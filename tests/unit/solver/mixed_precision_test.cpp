@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pairs in mixed precision against the plain sums in double precision, for every instruction set.
 #include <catch2/catch.hpp>
-#include <functional>
 
 #include "solver/core/dice.hpp"
 #include "solver/core/errors.hpp"
+#include "solver/physics/mixed_precision.hpp"
+#include "tests/support/ingredients.hpp"
 #include "tests/support/reference_rates.hpp"
 #include "tests/support/samples.hpp"
 
@@ -13,59 +14,21 @@ PairPasses choose_pair_passes(const Model& model, Precision precision);
 }
 
 using namespace wetdeck;
+using samples::Ingredient;
 using samples::two_phase_model;
 
 namespace {
 
-struct Ingredient {
-    const char* name;
-    std::function<void(Model&)> switch_on;
-};
-
-const std::vector<Ingredient>& ingredients() {
-    static const std::vector<Ingredient> all = {
-        {"default", [](Model&) {}},
-        {"arithmetic velocity mean", [](Model& m) { m.velocity_mean = Mean::arithmetic; }},
-        {"density-weighted velocity mean", [](Model& m) { m.velocity_mean = Mean::density_weighted; }},
-        {"arithmetic pressure mean", [](Model& m) { m.pressure_mean = Mean::arithmetic; }},
-        {"density-weighted pressure mean", [](Model& m) { m.pressure_mean = Mean::density_weighted; }},
-        {"no pressure diffusion", [](Model& m) { m.pressure_diffusion = 0; }},
-        {"hydrostatic jump kept", [](Model& m) { m.hydrostatic_correction = false; }},
-        {"no dissipation", [](Model& m) { m.dissipation = Dissipation::none; }},
-        {"full Riemann dissipation", [](Model& m) { m.dissipation = Dissipation::riemann; }},
-        {"viscosity of approaching pairs", [](Model& m) { m.viscosity = Viscosity::approaching; }},
-        {"viscosity of both signs", [](Model& m) { m.viscosity = Viscosity::symmetric; }},
-        {"no slip",
-         [](Model& m) {
-             m.wall_slip = WallSlip::no;
-             m.viscosity = Viscosity::symmetric;
-         }},
-        {"one-sided wall pressure", [](Model& m) { m.wall_pressure = WallPressure::one_sided; }},
-        {"Shepard wall pressure of both phases", [](Model& m) { m.wall_pressure = WallPressure::shepard; }},
-        {"walls without the velocity along their face",
-         [](Model& m) { m.wall_velocity = WallVelocity::normal; }},
-        {"pressure jump at walls", [](Model& m) { m.wall_pressure_jump = true; }},
-        {"harmonic mean of pressures at walls",
-         [](Model& m) {
-             m.wall_pair_mean = WallPairMean::harmonic;
-             m.mean_guard = MeanGuard::same_sign_arithmetic;
-         }},
-        {"no background pressure",
-         [](Model& m) { m.water.eos.background_pressure = m.air.eos.background_pressure = 0; }},
-        {"slanted gravity",
-         [](Model& m) {
-             m.gravity = {3, -7};
-         }},
-    };
+/// Those that pairs in mixed precision have.
+std::vector<Ingredient> ingredients() {
+    std::vector<Ingredient> all = samples::ingredients();
+    std::erase_if(all,
+                  [](const Ingredient& each) { return !without_mixed_pairs(samples::with(each)).empty(); });
     return all;
 }
 
 samples::Setup tank(const Ingredient& ingredient, std::uint64_t seed) {
-    Model model = two_phase_model();
-    model.water.viscosity = 20;  // large enough for the viscous part to show beside the others
-    model.air.viscosity = 0.5;
-    ingredient.switch_on(model);
-    samples::Setup setup = samples::shaken_tank(model, seed);
+    samples::Setup setup = samples::shaken_tank(samples::with(ingredient), seed);
     setup.execution.precision = Precision::mixed;
     return setup;
 }
@@ -103,7 +66,7 @@ struct Outputs {
 }  // namespace
 
 TEST_CASE("Rates in mixed precision are those of the plain sum within single precision", "[mixed][simd]") {
-    const Ingredient& ingredient = GENERATE(from_range(ingredients()));
+    const Ingredient ingredient = GENERATE(from_range(ingredients()));
     for (const std::string& name : samples::instruction_sets()) {
         INFO(name << ", " << ingredient.name);
         const samples::ChosenInstructionSet chosen(name);
