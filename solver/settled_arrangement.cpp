@@ -24,6 +24,8 @@ void displace(FluidParticles& fluid, double largest, std::uint64_t seed) {
 
 void hold(RigidBody& body) {
     body.free = {false, false, false};
+    body.guide = {};
+    body.springs.clear();
     body.velocity.setZero();
     body.angular_velocity = 0;
 }
@@ -49,6 +51,7 @@ FluidParticles settled_arrangement(const SimulationSetup& given, std::uint64_t s
     std::iota(setup.fluid.id.begin(), setup.fluid.id.end(), 0U);
     for (FluidState& p : setup.fluid.state) p.vx = p.vy = 0;
     for (RigidBody& body : setup.bodies) hold(body);
+    setup.tank_motion = {};
     displace(setup.fluid, largest_displacement * setup.particle_spacing, seed);
     double sound = setup.model.water.eos.sound_speed;
     if (setup.fluid.water < setup.fluid.size()) sound = std::min(sound, setup.model.air.eos.sound_speed);

@@ -23,6 +23,8 @@ RatesSetup checked(const SimulationSetup& setup) {
     RatesSetup result{setup.model, setup.execution, setup.particle_spacing, setup.domain};
     if (setup.model.periodic_x && (!setup.bodies.empty() || setup.model.sponge_thickness > 0))
         throw InputError("a periodic domain can have neither bodies nor a sponge layer");
+    if (setup.tank_motion.moves() && (setup.model.periodic_x || setup.model.sponge_thickness > 0))
+        throw InputError("a tank that moves can be neither periodic nor have a sponge layer");
     const bool two_phase = setup.fluid.water > 0 && setup.fluid.water < setup.fluid.size();
     result.model.wall_wetting = wets_walls(setup.model, two_phase);
     result.model.air_substeps = two_phase ? air_substeps(setup.model) : 1;
@@ -31,7 +33,9 @@ RatesSetup checked(const SimulationSetup& setup) {
 }
 
 Flow placed(SimulationSetup& setup) {
-    Flow flow{std::move(setup.fluid), std::move(setup.walls), std::move(setup.bodies)};
+    Flow flow{std::move(setup.fluid), std::move(setup.walls), std::move(setup.bodies), 0,
+              std::move(setup.tank_motion)};
+    for (RigidBody& body : flow.bodies) body.start();
     const double support = 2 * setup.model.smoothing_ratio * setup.particle_spacing;
     const int layers = boundary_layers(support, setup.particle_spacing);
     const double density = setup.model.water.eos.reference_density;
@@ -51,7 +55,7 @@ Simulation::Simulation(const RatesSetup& setup, Flow flow)
       rates_(setup, flow_),
       bounds_(setup.model, setup.domain, rates_.kernel().support_radius()) {
     rates_.update_density(flow_, 0, 1);
-    place_bodies(flow_);
+    place_walls(flow_, setup.model.gravity);
     rates_.build_list(flow_);
     evaluate();
 }
@@ -75,23 +79,23 @@ TimeStep Simulation::stable_step() const {
 }
 
 std::optional<Instability> Simulation::step(double longest) {
+    for (RigidBody& body : flow_.bodies) body.release_at(flow_.time, model().gravity);
     time_step_ = step_of(model(), stable_step());
-    const double begin = time_, whole = std::min(longest, time_step_.size);
+    const double begin = flow_.time, whole = std::min(longest, time_step_.size);
     if (model().dissipation_switch)
         rates_.mark_impacts(flow_, std::max(extremes_.fastest[0], extremes_.fastest[1]));
     std::optional<Instability> instability;
     Substep substep{whole / model().air_substeps, 0, model().air_substeps};
     for (; substep.number < substep.count && !instability; ++substep.number) {
         instability = advance(flow_, rates_, substep, bounds_, extremes_);
-        time_ += substep.dt;
         const std::uint64_t air = flow_.fluid.size() - flow_.fluid.water;
         particle_steps_ += substep.last() ? flow_.fluid.size() : rates_.water_near_air() + air;
     }
     if (instability) {
-        instability->time = time_;
+        instability->time = flow_.time;
         instability->step = steps_ + 1;
     } else {
-        time_ = begin + whole;  // not a sum, which might end just before the end
+        flow_.time = begin + whole;  // not a sum, which might end just before the end
     }
     ++steps_;
     ++limits_[static_cast<std::size_t>(time_step_.criterion)];
@@ -103,13 +107,13 @@ std::optional<Instability> Simulation::run(double end, const Observer& observe,
                                            const StabilityMonitor& each_step) {
     constexpr std::uint64_t steps_between_checks = 64;
     observe(*this);
-    while (time_ < end) {
-        if (std::optional<Instability> instability = step(end - time_)) return instability;
+    while (flow_.time < end) {
+        if (std::optional<Instability> instability = step(end - flow_.time)) return instability;
         const StageTimer timer(rates_.stages().probes);
         if (each_step) {
             if (std::optional<Instability> instability = each_step(*this)) return instability;
         }
-        if (monitor && (steps_ % steps_between_checks == 0 || time_ >= end)) {
+        if (monitor && (steps_ % steps_between_checks == 0 || flow_.time >= end)) {
             if (std::optional<Instability> instability = monitor(*this)) return instability;
         }
         observe(*this);

@@ -25,6 +25,7 @@ struct SimulationSetup {
     Box domain;                          ///< interior of the tank [m]
     std::vector<RigidBody> bodies = {};  ///< in the order of the numbers that their boundary particles carry
     Execution execution = {};            ///< threads, neighbour list, instruction set
+    MovingFrame tank_motion = {};        ///< of the tank; it cannot be periodic or have a sponge layer then
 };
 
 /// Fluid, walls and bodies under one model, and their march in time. The same set-up gives the same bits on
@@ -52,6 +53,9 @@ class Simulation {
     /// One step of the water of the given size at most. Returns what has left its range, if anything.
     std::optional<Instability> step(double longest);
 
+    /// Lets go of the free degrees of freedom of a body that is held, from the next step on.
+    void release(std::size_t body) { flow_.bodies.at(body).guide.release_time = flow_.time; }
+
     const Model& model() const { return rates_.setup().model; }  ///< air_substeps, wall_wetting resolved
     const Execution& execution() const { return rates_.setup().execution; }  ///< threads resolved
     const FluidParticles& fluid() const { return flow_.fluid; }  ///< sorted: `id` identifies a particle
@@ -60,7 +64,7 @@ class Simulation {
     Box domain() const { return rates_.setup().domain; }                         ///< of the tank [m]
     double particle_spacing() const { return rates_.setup().particle_spacing; }  ///< [m]
     WendlandC2 kernel() const { return rates_.kernel(); }                        ///< with its length h
-    double time() const { return time_; }                                        ///< since the start [s]
+    double time() const { return flow_.time; }                                   ///< since the start [s]
     std::uint64_t steps() const { return steps_; }                               ///< of the water, so far
     std::uint64_t particle_steps() const { return particle_steps_; }             ///< rates summed so far
     TimeStep time_step() const { return time_step_; }                            ///< of the last step
@@ -110,7 +114,6 @@ class Simulation {
     Rates rates_;
     StabilityBounds bounds_;
     Extremes extremes_;
-    double time_ = 0;
     std::uint64_t steps_ = 0, particle_steps_ = 0;
     TimeStep time_step_;
     std::array<std::uint64_t, limiting_criterion_names.size()> limits_{};

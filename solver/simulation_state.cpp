@@ -47,6 +47,19 @@ void set_numbers(std::vector<RigidBody>& bodies, const std::vector<double>& numb
     for (RigidBody& body : bodies) for_each_number(body, [&next](double& number) { number = *next++; });
 }
 
+/// Whether any body is let go later than at the start.
+bool any_waits(const std::vector<RigidBody>& bodies) {
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [](const RigidBody& body) { return body.guide.release_time > 0; });
+}
+
+/// When each body is let go [s].
+std::vector<double> release_times(const std::vector<RigidBody>& bodies) {
+    std::vector<double> times;
+    for (const RigidBody& body : bodies) times.push_back(body.guide.release_time);
+    return times;
+}
+
 /// Throws DataError unless `ids` are the numbers from 0 to their count, each once.
 void check_ids(const std::vector<double>& ids, const char* kind) {
     std::vector<bool> seen(ids.size(), false);
@@ -140,9 +153,10 @@ Simulation::State Simulation::state() const {
     state.arrays["listed_at"] = {built, built + 2 * flow_.fluid.size()};
     state.arrays["bodies"] = numbers_of(flow_.bodies);
     state.arrays["listed_bodies"] = numbers_of(rates_.listed_bodies());
+    if (any_waits(flow_.bodies)) state.arrays["release_times"] = release_times(flow_.bodies);
     state.arrays["fastest"] = {extremes_.fastest.begin(), extremes_.fastest.end()};
     state.arrays["densest"] = {extremes_.densest.begin(), extremes_.densest.end()};
-    state.numbers["time"] = time_;
+    state.numbers["time"] = flow_.time;
     state.numbers["steps"] = static_cast<double>(steps_);
     state.numbers["particle_steps"] = static_cast<double>(particle_steps_);
     state.numbers["list_builds"] = static_cast<double>(rates_.list_builds());
@@ -167,6 +181,8 @@ void Simulation::restore(const State& state) {
     const std::vector<double>& listed_at = in.array("listed_at", 2 * size);
     const std::vector<double>& bodies = in.array("bodies", body_numbers);
     const std::vector<double>& listed_bodies = in.array("listed_bodies", body_numbers);
+    std::vector<double> released(flow_.bodies.size(), 0.0);
+    if (any_waits(flow_.bodies)) released = in.array("release_times", released.size());
     const std::vector<double>& fastest = in.array("fastest", extremes_.fastest.size());
     const std::vector<double>& densest = in.array("densest", extremes_.densest.size());
     check_ids(in.array("id", size), "particle");
@@ -185,7 +201,7 @@ void Simulation::restore(const State& state) {
     }
     order_body_particles(flow_.walls, in.array("wall_id", flow_.walls.size()));
     set_numbers(flow_.bodies, listed_bodies);
-    place_bodies(flow_);
+    place_walls(flow_, model().gravity);
     rates_.build_list(flow_);
     if (flat(fluid.id) != in.array("id", size))
         throw DataError("the state has particles in another order than their neighbour list");
@@ -193,9 +209,13 @@ void Simulation::restore(const State& state) {
     restore_fields(fluid, in);
     restore_fields(flow_.walls, in);
     set_numbers(flow_.bodies, bodies);
+    for (std::size_t b = 0; b < released.size(); ++b) {
+        flow_.bodies[b].guide.release_time = released[b];
+        flow_.bodies[b].held = in.number("time") <= released[b] && released[b] > 0;
+    }
     std::copy(fastest.begin(), fastest.end(), extremes_.fastest.begin());
     std::copy(densest.begin(), densest.end(), extremes_.densest.begin());
-    time_ = in.number("time");
+    flow_.time = in.number("time");
     steps_ = in.count("steps");
     particle_steps_ = in.count("particle_steps");
     rates_.set_list_builds(in.count("list_builds"));

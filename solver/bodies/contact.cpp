@@ -21,6 +21,7 @@ using Touches = std::vector<Touch>;
 /// One side of an outline, placed.
 struct Side {
     Vec2 from, to, outwards;
+    Vec2 outwards_before;  ///< of the side that ends where this one begins
 
     double distance(Vec2 point) const {
         const Vec2 along = to - from;
@@ -34,18 +35,25 @@ struct Side {
     }
 };
 
-/// The sides of a body; side k begins at corner k.
-std::vector<Side> sides_of(const RigidBody& body) {
-    const std::size_t n = body.corners.size();
+/// Adds the sides of an outline of the body, placed.
+void add_sides(const RigidBody& body, const std::vector<Vec2>& outline, std::vector<Side>& sides) {
+    const std::size_t n = outline.size(), first = sides.size();
     const Eigen::Matrix2d axes = body.axes();
     double area = 0;
-    for (std::size_t k = 0; k < n; ++k) area += cross(body.corners[k], body.corners[(k + 1) % n]);
-    std::vector<Side> sides;
+    for (std::size_t k = 0; k < n; ++k) area += cross(outline[k], outline[(k + 1) % n]);
     for (std::size_t k = 0; k < n; ++k) {
-        const Vec2 from = axes * body.corners[k], to = axes * body.corners[(k + 1) % n];
+        const Vec2 from = axes * outline[k], to = axes * outline[(k + 1) % n];
         const Vec2 right = Vec2((to - from).y(), (from - to).x()).normalized();
-        sides.push_back({body.position + from, body.position + to, area > 0 ? right : Vec2(-right)});
+        sides.push_back({body.position + from, body.position + to, area > 0 ? right : Vec2(-right), {}});
     }
+    for (std::size_t k = 0; k < n; ++k)
+        sides[first + k].outwards_before = sides[first + (k + n - 1) % n].outwards;
+}
+
+/// The sides of all outlines of a body.
+std::vector<Side> sides_of(const RigidBody& body) {
+    std::vector<Side> sides;
+    for (const std::vector<Vec2>& outline : body.outlines) add_sides(body, outline, sides);
     return sides;
 }
 
@@ -64,13 +72,13 @@ struct WayOut {
 /// A corner has come through a side that faces one of the two sides beside it, near and squarely: the least
 /// distance over the cosine of the angle between their normals tells. Where two sides are as likely, at a
 /// corner that meets a corner, the way leads between them.
-WayOut way_out(const Side& before, const Side& after, const std::vector<Side>& other) {
+WayOut way_out(const Side& after, const std::vector<Side>& other) {
     constexpr double parallel = 1e-9, alike = 1e-6;
     WayOut way;
     double least = std::numeric_limits<double>::infinity();
     for (const Side& side : other) {
         const double cosine =
-            -std::min(side.outwards.dot(before.outwards), side.outwards.dot(after.outwards));
+            -std::min(side.outwards.dot(after.outwards_before), side.outwards.dot(after.outwards));
         if (cosine < parallel) continue;
         const double distance = side.distance(after.from), score = distance / cosine;
         if (score > (1 + alike) * least) continue;
@@ -86,13 +94,12 @@ WayOut way_out(const Side& before, const Side& after, const std::vector<Side>& o
 /// push on the corner into that on the first body of the pair.
 void add_corners(const std::vector<Side>& own, const std::vector<Side>& other, double margin, double sign,
                  Touches& touches) {
-    for (std::size_t k = 0; k < own.size(); ++k) {
-        const Side &after = own[k], &before = own[(k + own.size() - 1) % own.size()];
-        const WayOut way = way_out(before, after, other);
+    for (const Side& after : own) {
+        const WayOut way = way_out(after, other);
         if (!std::isfinite(way.distance)) continue;
         // a corner on the line of a side is inside if the body behind the corner is
         const double nudge = 1e-9 * (after.to - after.from).norm();
-        const bool behind = inside(other, after.from - nudge * (after.outwards + before.outwards));
+        const bool behind = inside(other, after.from - nudge * (after.outwards + after.outwards_before));
         if (!behind && way.distance >= margin) continue;
         touches.push_back({after.from, sign * way.normal, (behind ? 1 : -1) * way.distance});
     }
@@ -111,10 +118,12 @@ Touches touches_of(const RigidBody& body, const RigidBody& other, double margin)
 Touches touches_of(const RigidBody& body, Vec2 on, Vec2 normal, double margin) {
     const Eigen::Matrix2d axes = body.axes();
     Touches touches;
-    for (const Vec2& corner : body.corners) {
-        const Vec2 at = body.position + axes * corner;
-        const double depth = (on - at).dot(normal);
-        if (depth > -margin) touches.push_back({at, normal, depth});
+    for (const std::vector<Vec2>& outline : body.outlines) {
+        for (const Vec2& corner : outline) {
+            const Vec2 at = body.position + axes * corner;
+            const double depth = (on - at).dot(normal);
+            if (depth > -margin) touches.push_back({at, normal, depth});
+        }
     }
     return touches;
 }
@@ -122,14 +131,14 @@ Touches touches_of(const RigidBody& body, Vec2 on, Vec2 normal, double margin) {
 /// What a body does under a unit force, by degree of freedom.
 struct Mobility {
     Vec2 linear = Vec2::Zero();  ///< 1/mass where free [m/kg]
-    double angular = 0;          ///< 1/inertia where free [1/(kg m)]
+    double angular = 0;          ///< 1/inertia about the turning point where free [1/(kg m)]
 
     explicit Mobility(const RigidBody& b) {
         for (int k = 0; k < 2; ++k)
-            if (b.free[static_cast<std::size_t>(k)]) linear[k] = 1 / (b.mass + b.excess_mass());
-        if (b.free[2]) angular = 1 / (b.inertia + b.excess_inertia());
+            if (b.forced(k)) linear[k] = 1 / (b.mass + b.excess_mass());
+        if (b.forced(2)) angular = 1 / (b.turning_inertia() + b.excess_inertia());
     }
-    /// Acceleration along `normal` at the moment arm `lever` under a load.
+    /// Acceleration along `normal` at the moment arm `lever` under a load, both about the turning point.
     double approach(Vec2 normal, double lever, const BodyLoad& load) const {
         return normal.dot(linear.cwiseProduct(load.force)) + angular * lever * load.torque;
     }
@@ -138,14 +147,15 @@ struct Mobility {
 /// Of the farthest corner about the mass centre [m].
 double reach_of(const RigidBody& body) {
     double reach2 = 0;
-    for (const Vec2& corner : body.corners) reach2 = std::max(reach2, corner.squaredNorm());
+    for (const std::vector<Vec2>& outline : body.outlines)
+        for (const Vec2& corner : outline) reach2 = std::max(reach2, corner.squaredNorm());
     return std::sqrt(reach2);
 }
 
 /// Approach of a pair at a corner under one unit force there: 1/m of that corner alone [m/kg].
 double approach_alone(const RigidBody& body, const RigidBody* other, const Touch& touch) {
     const auto of = [&](const RigidBody& b) {
-        const double lever = cross(touch.at - b.position, touch.normal);
+        const double lever = cross(touch.at - b.turning_point(), touch.normal);
         return Mobility(b).approach(touch.normal, lever, {touch.normal, lever});
     };
     return of(body) + (other ? of(*other) : 0);
@@ -155,30 +165,31 @@ double approach_alone(const RigidBody& body, const RigidBody* other, const Touch
 void push(RigidBody& body, RigidBody* other, const Touches& touches, const ContactLaw& law) {
     const double zeta = damping_ratio(law.restitution);
     BodyLoad unit, unit_other;  // of unit forces at all corners
-    const auto add = [](BodyLoad& load, const RigidBody& b, Vec2 at, Vec2 force) {
+    const auto add = [](BodyLoad& load, Vec2 about, Vec2 at, Vec2 force) {
         load.force += force;
-        load.torque += cross(at - b.position, force);
+        load.torque += cross(at - about, force);
     };
     for (const Touch& touch : touches) {
-        add(unit, body, touch.at, touch.normal);
-        if (other) add(unit_other, *other, touch.at, -touch.normal);
+        add(unit, body.turning_point(), touch.at, touch.normal);
+        if (other) add(unit_other, other->turning_point(), touch.at, -touch.normal);
     }
     for (const Touch& touch : touches) {
         const double alone = approach_alone(body, other, touch);
         if (!(alone > 0)) continue;  // neither can move
         const Vec2 arm = touch.at - body.position;
-        double approach = Mobility(body).approach(touch.normal, cross(arm, touch.normal), unit);
+        double approach =
+            Mobility(body).approach(touch.normal, cross(touch.at - body.turning_point(), touch.normal), unit);
         Vec2 speed = body.velocity_at(arm);
         if (other) {
             const Vec2 arm_of_other = touch.at - other->position;
-            const double lever = cross(arm_of_other, touch.normal);
+            const double lever = cross(touch.at - other->turning_point(), touch.normal);
             approach -= Mobility(*other).approach(touch.normal, lever, unit_other);
             speed -= other->velocity_at(arm_of_other);
         }
         const double mass = 1 / (approach > 0 ? approach : alone);
         const Vec2 force = law.force(zeta, touch.depth, -speed.dot(touch.normal), mass) * touch.normal;
-        add(body.contact, body, touch.at, force);
-        if (other) add(other->contact, *other, touch.at, -force);
+        add(body.contact, body.position, touch.at, force);
+        if (other) add(other->contact, other->position, touch.at, -force);
     }
 }
 

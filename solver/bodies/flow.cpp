@@ -13,12 +13,12 @@ void measure_bodies(Flow& flow, double added_mass, Vec2 gravity) {
         RigidBody& body = flow.bodies.at(point.body);
         body.radius = std::max(body.radius, std::hypot(point.x, point.y));
         body.added_mass += added_mass;
-        body.added_inertia += added_mass * (point.x * point.x + point.y * point.y);
+        const Vec2 arm = Vec2(point.x, point.y) - body.guide.pivot.value_or(Vec2::Zero());
+        body.added_inertia += added_mass * arm.squaredNorm();
     }
     for (RigidBody& body : flow.bodies) {
         for (int k = 0; k < 2; ++k) {
-            if (body.free[static_cast<std::size_t>(k)] && body.added_mass > body.mass)
-                body.acceleration[k] = gravity[k];
+            if (body.forced(k) && body.added_mass > body.mass) body.acceleration[k] = gravity[k];
         }
     }
 }
@@ -53,8 +53,17 @@ void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volu
     for (double& sum : walls.own_sum) sum = std::min(sum, 1.0);  // rounding of the lattice
 }
 
-void place_bodies(Flow& flow) {
+void place_walls(Flow& flow, Vec2 gravity) {
     WallParticles& walls = flow.walls;
+    const bool tank_moves = flow.tank_motion.moves();
+    FrameForces frame;
+    if (tank_moves) frame = flow.tank_motion.forces(flow.time, gravity);
+    for (std::size_t n = 0; tank_moves && n < walls.fixed; ++n) {
+        WallState& wall = walls.state[n];
+        const Vec2 force = frame.at({wall.x, wall.y}, Vec2::Zero());
+        wall.ax = -force.x();
+        wall.ay = -force.y();
+    }
     for (std::size_t b = 0; b < flow.bodies.size(); ++b) {
         const RigidBody& body = flow.bodies[b];
         const Eigen::Matrix2d axes = body.axes();
@@ -63,7 +72,8 @@ void place_bodies(Flow& flow) {
             if (point.body != b) continue;
             const Vec2 arm = axes * Vec2(point.x, point.y), normal = axes * Vec2(point.nx, point.ny);
             const Vec2 position = body.position + arm, velocity = body.velocity_at(arm);
-            const Vec2 acceleration = body.acceleration_at(arm);
+            Vec2 acceleration = body.acceleration_at(arm);
+            if (tank_moves) acceleration -= frame.at(position, velocity);
             walls.state[n] = {position.x(), position.y(), velocity.x(),     velocity.y(),
                               normal.x(),   normal.y(),   acceleration.x(), acceleration.y()};
         }

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "solver/bodies/moving_frame.hpp"
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/particles/fluid.hpp"
 #include "solver/particles/walls.hpp"
@@ -17,6 +18,8 @@ struct Flow {
     FluidParticles fluid;           ///< of both phases
     WallParticles walls;            ///< of the tank, then of the bodies
     std::vector<RigidBody> bodies;  ///< in the order of the numbers that their boundary particles carry
+    double time = 0;                ///< of the positions, since the start [s]
+    MovingFrame tank_motion;        ///< of the tank, whose frame all positions and velocities are in
 
     /// Whether there are particles of both phases.
     bool two_phase() const { return fluid.water > 0 && fluid.water < fluid.size(); }
@@ -36,8 +39,9 @@ void measure_bodies(Flow& flow, double added_mass, Vec2 gravity);
 /// @param volume  of each boundary particle [m^2]
 void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volume);
 
-/// Moves the boundary particles of the bodies to where the poses put them, Eqs. (22)-(23).
-void place_bodies(Flow& flow);
+/// Moves the boundary particles of the bodies to where the poses put them, Eqs. (22)-(23). Where the tank
+/// moves, all walls get the acceleration against the forces of its frame, as the wall pressure needs it.
+void place_walls(Flow& flow, Vec2 gravity);
 
 /// Sum of the forces that the last force pass left on the boundary particles of one body, Eqs. (20)-(21).
 BodyLoad load_on(const Flow& flow, std::size_t body);

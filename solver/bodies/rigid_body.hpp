@@ -17,6 +17,11 @@
 // add up over steps as long as the fast loads are steady within a long step dt. Heavier bodies have no
 // excess.
 //
+// A degree of freedom may follow a given motion instead, and is released from it at a time or at the first
+// contact with water. A body on a hinge P turns about it, with r from P to the mass centre and a_P given:
+//
+//     (I + M r^2) domega/dt = T + T_applied + r x (F + F_applied + M (g - a_P)).
+//
 // The pose is integrated, never the particles of the surface: they are placed from it, so that nothing
 // drifts.
 #pragma once
@@ -25,9 +30,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
-#include "solver/core/errors.hpp"
+#include "solver/bodies/motion.hpp"
+#include "solver/bodies/spring.hpp"
 #include "solver/core/vec2.hpp"
 
 namespace wetdeck {
@@ -36,6 +43,15 @@ namespace wetdeck {
 struct BodyLoad {
     Vec2 force = Vec2::Zero();  ///< [N/m]
     double torque = 0;          ///< about the mass centre [N]
+};
+
+/// What moves a body besides forces.
+struct Guide {
+    std::array<Motion, 3> motion;  ///< x, y, rotation: displacement from the start; none: see RigidBody::free
+    std::optional<Vec2> pivot;  ///< hinge, in the body's frame: it stays, or moves as given for x and y [m]
+    double release_time = 0;    ///< of the free degrees of freedom; infinite: until it is set [s]
+    Vec2 start = Vec2::Zero();  ///< of the mass centre [m]
+    double start_angle = 0;     ///< [rad]
 };
 
 /// One body: its properties, its motion, the loads of the fluid.
@@ -59,80 +75,75 @@ struct RigidBody {
     Vec2 acceleration = Vec2::Zero();  ///< of the mass centre [m/s^2]
     double angular_acceleration = 0;   ///< [rad/s^2]
 
-    double added_mass = 0;           ///< of the water that follows the surface at once [kg/m]
-    double added_inertia = 0;        ///< of the same, about the mass centre [kg m]
-    std::vector<Vec2> corners = {};  ///< of the outline, in the body's frame [m]; only contact needs them
-    double radius = 0;               ///< of the farthest boundary particle about the mass centre [m]
+    double added_mass = 0;     ///< of the water that follows the surface at once [kg/m]
+    double added_inertia = 0;  ///< of the same, about the mass centre [kg m]
+    /// Corners of each outline, in the body's frame [m]; only contact needs them.
+    std::vector<std::vector<Vec2>> outlines = {};
+    double radius = 0;  ///< of the farthest boundary particle about the mass centre [m]
+    bool held = false;  ///< until its release: no force moves it
 
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
     double work = 0;              ///< of the fluid on the body since the start [J/m]
 
-    /// Throws InputError if it is free to move without mass or inertia.
-    void check() const {
-        const bool translates = free[0] || free[1];
-        if (translates && !(mass > 0)) throw InputError("a body that is free to move needs a positive mass");
-        if (free[2] && !(inertia > 0))
-            throw InputError("a body that is free to turn needs a positive inertia");
-    }
+    Guide guide;                  ///< what moves it besides forces
+    std::vector<Spring> springs;  ///< between it and the earth
+    BodyLoad restraint;           ///< by the springs, of the last evaluation
 
-    /// Whether forces can move it in any way.
+    /// Throws InputError if it is free to move without mass or inertia, if a motion is given and free with
+    /// no release, or if a hinged body is free along x or y.
+    void check() const;
+
+    /// Whether forces can move it in any way, at once or later.
     bool yields() const { return free[0] || free[1] || free[2]; }
-    /// Whether it moves or could: it yields, or has a velocity that it keeps.
-    bool moves() const { return yields() || !velocity.isZero() || angular_velocity != 0; }
+    /// Whether it moves or could: it yields, has a velocity that it keeps, or is guided.
+    bool moves() const;
 
     /// x in the equation of motion [kg/m].
-    double excess_mass() const { return std::max(0.0, added_mass - mass); }
+    double excess_mass() const { return guide.pivot ? 0 : std::max(0.0, added_mass - mass); }
     /// The same of rotation [kg m].
-    double excess_inertia() const { return std::max(0.0, added_inertia - inertia); }
+    double excess_inertia() const { return std::max(0.0, added_inertia - turning_inertia()); }
+    /// About the point about which it turns: the hinge or the mass centre [kg m].
+    double turning_inertia() const {
+        return guide.pivot ? inertia + mass * guide.pivot->squaredNorm() : inertia;
+    }
+    /// The hinge or the mass centre, in the scene [m].
+    Vec2 turning_point() const { return guide.pivot ? Vec2(position - arm_of_centre()) : position; }
+    /// From the hinge to the mass centre, in the scene; zero without a hinge [m].
+    Vec2 arm_of_centre() const { return guide.pivot ? Vec2(-(axes() * *guide.pivot)) : Vec2(0, 0); }
 
+    /// Notes where it is as the start of its guided motion, and takes the velocity that is given there.
+    void start();
+    /// Whether forces move this degree of freedom now: x, y, rotation.
+    bool forced(int k) const { return free[static_cast<std::size_t>(k)] && !held; }
+    /// Whether it follows a given motion now: x, y, rotation.
+    bool guided(int k) const { return motion_of(k) && !forced(k); }
+    /// Whether any degree of freedom does, or it is on a hinge.
+    bool guided() const { return guide.pivot || guided(0) || guided(1) || guided(2); }
+    /// The motion that is given for x, y or rotation, if any; with a hinge, that of the hinge.
+    const Motion& motion_of(int k) const { return guide.motion[static_cast<std::size_t>(k)]; }
+    /// Lets go of the free degrees of freedom when it is time [s]. Those of bodies that are lighter than
+    /// their added mass begin at `gravity`, which they would else take steps to reach.
+    void release_at(double time, Vec2 gravity);
+
+    /// Sets the loads of the springs.
+    /// @param remaining  time from the present velocities to those at the present pose [s]
+    void set_restraint(double remaining);
     /// Sets the slow loads by the fluid. The fast loads must be set after them.
-    void set_slow_load(const BodyLoad& load, Vec2 gravity) {
-        slow = load;
-        slow_with_excess.force = load.force + excess_mass() * (acceleration - gravity);
-        slow_with_excess.torque = load.torque + excess_inertia() * angular_acceleration;
-    }
-
+    void set_slow_load(const BodyLoad& load, Vec2 gravity);
     /// Sets the fast loads by the fluid, and the accelerations that follow from all loads, those of contact
-    /// included.
-    void set_fast_load(const BodyLoad& load, Vec2 gravity) {
-        force = load.force + slow.force;
-        torque = load.torque + slow.torque;
-        const Vec2 total_force = load.force + slow_with_excess.force + applied_force + contact.force;
-        for (int k = 0; k < 2; ++k) {
-            const bool moves = free[static_cast<std::size_t>(k)];
-            acceleration[k] = moves ? total_force[k] / (mass + excess_mass()) + gravity[k] : 0;
-        }
-        const double total_torque = load.torque + slow_with_excess.torque + applied_torque + contact.torque;
-        angular_acceleration = free[2] ? total_torque / (inertia + excess_inertia()) : 0;
-    }
+    /// and springs included.
+    /// @param gravity  with the forces of a moving tank [m/s^2]
+    /// @param time     of the pose [s]
+    /// @param spin     angular acceleration of a moving tank [rad/s^2]
+    void set_fast_load(const BodyLoad& load, Vec2 gravity, double time = 0, double spin = 0);
 
     /// Velocities and impulses over a time [s] under the present loads. The slow loads act over that time as
     /// often as their weight says.
-    void kick(double duration, double slow_weight) {
-        const double longer = (slow_weight - 1) * duration;
-        const Vec2 linear_impulse = duration * force + longer * slow.force;
-        const double torque_impulse = duration * torque + longer * slow.torque;
-        Vec2 velocity_gain = duration * acceleration;
-        for (int k = 0; k < 2; ++k) {
-            const bool moves = free[static_cast<std::size_t>(k)];
-            if (moves) velocity_gain[k] += longer * slow_with_excess.force[k] / (mass + excess_mass());
-        }
-        double rotation_gain = duration * angular_acceleration;
-        if (free[2]) rotation_gain += longer * slow_with_excess.torque / (inertia + excess_inertia());
-        work += linear_impulse.dot(velocity + 0.5 * velocity_gain) +
-                torque_impulse * (angular_velocity + 0.5 * rotation_gain);
-        velocity += velocity_gain;
-        angular_velocity += rotation_gain;
-        impulse += linear_impulse;
-        angular_impulse += torque_impulse;
-    }
-
-    /// Position and angle over a time [s] at the present velocities.
-    void drift(double duration) {
-        position += duration * velocity;
-        angle += duration * angular_velocity;
-    }
+    /// @param time  to which the velocities lead [s]
+    void kick(double duration, double slow_weight, double time = 0);
+    /// Position and angle over a time [s] at the present velocities, up to `time` [s].
+    void drift(double duration, double time = 0);
 
     /// Axes of the body's frame, as columns; at angle 0 they are those of the scene.
     Eigen::Matrix2d axes() const { return Eigen::Rotation2Dd(angle).toRotationMatrix(); }
@@ -154,6 +165,9 @@ struct RigidBody {
     double kinetic_energy() const {  ///< [J/m]
         return 0.5 * (mass * velocity.squaredNorm() + inertia * angular_velocity * angular_velocity);
     }
+
+  private:
+    void place_on_hinge(double time);
 };
 
 /// Calls visit(number) for each number of a body that changes in time: the contents and order of a

@@ -156,8 +156,22 @@ void Rates::momentum(Flow& flow, double substep_weight) {
             fluid.acceleration_y[i] -= pull * fluid.state[i].y;
         }
     }
+    if (flow.tank_motion.moves()) {
+        const FrameForces frame = frame_forces(flow);
+        for (std::size_t i = 0; i < fluid.size(); ++i) {
+            const FluidState& p = fluid.state[i];
+            const Vec2 force = (i < fluid.water ? substep_weight : 1) * frame.at(p.position(), p.velocity());
+            fluid.acceleration_x[i] += force.x();
+            fluid.acceleration_y[i] += force.y();
+        }
+    }
     if (setup_.model.sponge_thickness > 0)
         apply_sponge_layer(fluid, {&fluid.acceleration_x, &fluid.acceleration_y});
+}
+
+FrameForces Rates::frame_forces(const Flow& flow) const {
+    return flow.tank_motion.moves() ? flow.tank_motion.forces(flow.time, setup_.model.gravity)
+                                    : FrameForces{};
 }
 
 /// The sponge layer's factor on rates, Eqs. (24)-(25).
@@ -172,16 +186,19 @@ void Rates::apply_sponge_layer(const FluidParticles& fluid,
     }
 }
 
-void Rates::body_loads(Flow& flow, double substep_weight) {
+void Rates::body_loads(Flow& flow, double substep_weight, double remaining) {
     if (flow.bodies.empty()) return;
     const StageTimer timer(stages_.bodies);
-    const Vec2 gravity = setup_.model.gravity;
+    const FrameForces frame = frame_forces(flow);
+    const auto gravity = [&](const RigidBody& body) -> Vec2 {
+        return setup_.model.gravity + frame.at(body.position, body.velocity);
+    };
     PassInput in = pass_input(flow, substep_weight);
     if (substep_weight > 0) {
         in.loading = {true, false};
         passes_.body_forces(in);
         for (std::size_t b = 0; b < flow.bodies.size(); ++b)
-            flow.bodies[b].set_slow_load(load_on(flow, b), gravity);
+            flow.bodies[b].set_slow_load(load_on(flow, b), gravity(flow.bodies[b]));
     }
     const bool has_air = flow.fluid.water < flow.fluid.size();
     if (has_air) {
@@ -190,8 +207,12 @@ void Rates::body_loads(Flow& flow, double substep_weight) {
     }
     const ContactLaw& contact = setup_.model.contact;
     if (contact.on()) set_contact_loads(flow.bodies, setup_.domain, contact);
-    for (std::size_t b = 0; b < flow.bodies.size(); ++b)
-        flow.bodies[b].set_fast_load(has_air ? load_on(flow, b) : BodyLoad{}, gravity);
+    for (std::size_t b = 0; b < flow.bodies.size(); ++b) {
+        RigidBody& body = flow.bodies[b];
+        body.set_restraint(remaining);
+        body.set_fast_load(has_air ? load_on(flow, b) : BodyLoad{}, gravity(body), flow.time,
+                           frame.angular_acceleration);
+    }
 }
 
 /// The pressure convection rate grad(p).v of Eq. (15) is taken from the momentum equation itself: grad(p) =

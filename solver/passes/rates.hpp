@@ -48,7 +48,8 @@ class Rates {
     void momentum(Flow& flow, double substep_weight);
     /// Loads on the bodies, Eqs. (20)-(21), and their accelerations. Those of the water are kept between its
     /// steps.
-    void body_loads(Flow& flow, double substep_weight);
+    /// @param remaining  time from the present velocities of the bodies to those at their poses [s]
+    void body_loads(Flow& flow, double substep_weight, double remaining = 0);
     /// Marks the particles on which the dissipation switch is on, Eqs. (14)-(15).
     /// @param fastest  largest speed in the fluid [m/s]
     void mark_impacts(Flow& flow, double fastest);
@@ -88,6 +89,7 @@ class Rates {
     void refresh_mixed_fluid(const Flow& flow);
     void copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const;
     double momentum_error(PassInput in, const Flow& flow) const;
+    FrameForces frame_forces(const Flow& flow) const;
     DensityUpdate density_update(Flow& flow, Phase phase, double dt, double substep_weight) const;
     void apply_sponge_layer(const FluidParticles& fluid,
                             std::initializer_list<std::vector<double>*> rates) const;

@@ -149,6 +149,69 @@ void check_thickness(const Polygon& polygon, double particle_spacing, double sup
     throw InputError(text);
 }
 
+/// The layers of points of a body, as deep as the kernel's support or as the body is thick.
+std::vector<SurfacePoint> layers_of(const Polygon& polygon, double particle_spacing, double support_radius) {
+    check_thickness(polygon, particle_spacing, support_radius);
+    const int layers = boundary_layers(support_radius, particle_spacing);
+    const double tolerance = 1e-3 * particle_spacing;
+    constexpr double closest = 0.6;  // spacings: where opposite faces meet, one layer serves both
+    std::vector<SurfacePoint> all;
+    for (int layer = 0; layer < layers; ++layer) {
+        const std::size_t before = all.size();
+        // A little less deep, so that a part of a whole number of layers keeps its middle one: what is left
+        // of it must be wider than the rounding of the offset, which drops slivers and would leave the part
+        // hollow.
+        const double depth = (layer + 0.5) * particle_spacing * (1 - 1e-4);
+        for (const Polygon& part : offset(polygon, -depth)) {
+            const std::vector<Vec2> ring = distinct_points(part.outer(), tolerance);
+            if (ring.size() < 2) continue;
+            for (const SurfacePoint& point : spaced_points(ring, particle_spacing)) {
+                const bool crowded = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(before), all.end(),
+                                                 [&](const SurfacePoint& other) {
+                                                     return (other.position - point.position).norm() <
+                                                            closest * particle_spacing;
+                                                 });
+                if (!crowded) all.push_back(point);
+            }
+        }
+    }
+    return all;
+}
+
+/// A solid with what lies beyond the faces of the tank that it touches, to a depth [m].
+Polygon grown_beyond(Box tank, const Outline& outline, double depth) {
+    constexpr double tolerance = 1e-9;
+    MultiPolygon grown = {polygon_of(outline)};
+    const auto join = [&grown](const Outline& part) {
+        MultiPolygon sum;
+        bg::union_(grown, polygon_of(part), sum);
+        grown = std::move(sum);
+    };
+    // the way out of the tank at a corner of the outline, along each axis
+    const auto way_out = [&](Vec2 corner) {
+        Vec2 way(0, 0);
+        for (int k = 0; k < 2; ++k) {
+            if (corner[k] - tank.low[k] < tolerance) way[k] = -depth;
+            if (tank.high[k] - corner[k] < tolerance) way[k] = depth;
+        }
+        return way;
+    };
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vec2 a = outline[k], b = outline[(k + 1) % outline.size()];
+        for (int axis = 0; axis < 2; ++axis) {
+            const double out = way_out(a)[axis];
+            if (out == 0 || out != way_out(b)[axis]) continue;
+            Vec2 step(0, 0);
+            step[axis] = out;
+            join({a, b, b + step, a + step});
+        }
+        const Vec2 out = way_out(a);
+        if (out.x() != 0 && out.y() != 0) join(corners_of({a.cwiseMin(a + out), a.cwiseMax(a + out)}));
+    }
+    return *std::max_element(grown.begin(), grown.end(),
+                             [](const Polygon& a, const Polygon& b) { return bg::area(a) < bg::area(b); });
+}
+
 }  // namespace
 
 void check_outline(const Outline& outline) {
@@ -189,6 +252,20 @@ bool overlap(const Outline& a, const Outline& b) {
     return bg::intersects(polygon_of(a), polygon_of(b));
 }
 
+double shared_area(const Outline& a, const Outline& b) {
+    MultiPolygon shared;
+    bg::intersection(polygon_of(a), polygon_of(b), shared);
+    return bg::area(shared);
+}
+
+std::vector<Outline> parts_outside(Box box, const Outline& outline) {
+    MultiPolygon parts;
+    bg::difference(polygon_of(corners_of(box)), polygon_of(outline), parts);
+    std::vector<Outline> outlines;
+    for (const Polygon& part : parts) outlines.push_back(distinct_points(part.outer(), 1e-9));
+    return outlines;
+}
+
 bool inside(const Outline& outline, Box box) {
     return std::all_of(outline.begin(), outline.end(), [&](const Vec2& p) {
         return (p - box.low).minCoeff() > 0 && (box.high - p).minCoeff() > 0;
@@ -212,33 +289,18 @@ AreaMoments area_moments(const Outline& outline) {
 
 void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
                         double particle_spacing, double support_radius) {
-    const Polygon polygon = polygon_of(outline);
-    check_thickness(polygon, particle_spacing, support_radius);
-    const int layers = boundary_layers(support_radius, particle_spacing);
-    const double tolerance = 1e-3 * particle_spacing;
-    constexpr double closest = 0.6;  // spacings: where opposite faces meet, one layer serves both
-    std::vector<SurfacePoint> all;
-    for (int layer = 0; layer < layers; ++layer) {
-        const std::size_t before = all.size();
-        // A little less deep, so that a part of a whole number of layers keeps its middle one: what is left
-        // of it must be wider than the rounding of the offset, which drops slivers and would leave the part
-        // hollow.
-        const double depth = (layer + 0.5) * particle_spacing * (1 - 1e-4);
-        for (const Polygon& part : offset(polygon, -depth)) {
-            const std::vector<Vec2> ring = distinct_points(part.outer(), tolerance);
-            if (ring.size() < 2) continue;
-            for (const SurfacePoint& point : spaced_points(ring, particle_spacing)) {
-                const bool crowded = std::any_of(all.begin() + static_cast<std::ptrdiff_t>(before), all.end(),
-                                                 [&](const SurfacePoint& other) {
-                                                     return (other.position - point.position).norm() <
-                                                            closest * particle_spacing;
-                                                 });
-                if (!crowded) all.push_back(point);
-            }
-        }
-    }
-    for (const SurfacePoint& point : all) {
+    for (const SurfacePoint& point : layers_of(polygon_of(outline), particle_spacing, support_radius))
         walls.add_body_point(body, point.position - frame_origin, point.normal);
+}
+
+void add_solid_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
+                         double particle_spacing, double support_radius, Box tank) {
+    const double inside = 0.25 * particle_spacing;  // of the faces, beyond which the tank has its own layers
+    const Polygon grown = grown_beyond(tank, outline, 2 * support_radius);
+    for (const SurfacePoint& point : layers_of(grown, particle_spacing, support_radius)) {
+        const Vec2 low = point.position - tank.low, high = tank.high - point.position;
+        if (std::min(low.minCoeff(), high.minCoeff()) > inside)
+            walls.add_body_point(body, point.position - frame_origin, point.normal);
     }
 }
 

@@ -29,6 +29,10 @@ bool contains(const Outline& outline, Vec2 point);
 
 /// Whether two outlines share any point.
 bool overlap(const Outline& a, const Outline& b);
+/// Area that two outlines share [m^2]: none where they only touch.
+double shared_area(const Outline& a, const Outline& b);
+/// What an outline leaves of a box, as one outline a part.
+std::vector<Outline> parts_outside(Box box, const Outline& outline);
 /// Whether the outline lies in the box without touching its sides.
 bool inside(const Outline& outline, Box box);
 
@@ -59,6 +63,11 @@ AreaMoments area_left(Box box, const std::vector<Outline>& outlines);
 /// Throws InputError where the body is thinner than the support: fluid would act through it.
 void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
                         double particle_spacing, double support_radius);
+
+/// The same of a solid whose sides may lie on faces of the tank: there it has no surface of its own, and its
+/// layers run on to the face.
+void add_solid_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
+                         double particle_spacing, double support_radius, Box tank);
 
 /// Removes the fluid inside the outline and closer to it than half a spacing. Before velocities and pressures
 /// are set: what stays is laid anew, at rest and with new ids.

@@ -38,21 +38,33 @@ double kick_and_drift(Flow& flow, Rates& rates, double half, double substep_weig
         if (copies) copy_motion(p, fixed_point, copies[i]);
     }
     double fastest = std::sqrt(fastest2);
+    flow.time += half;
     for (RigidBody& body : flow.bodies) {
-        body.kick(half, substep_weight);
-        body.drift(half);
+        body.kick(half, substep_weight, flow.time);
+        body.drift(half, flow.time);
         fastest = std::max(fastest, body.fastest());
     }
-    place_bodies(flow);
+    place_walls(flow, rates.setup().model.gravity);
     return half * fastest;
 }
 
-/// The second half drift, with the densities at the end of the step.
-void update_and_drift(Flow& flow, Rates& rates, double dt, double substep_weight) {
+/// The second half drift, with the densities at the end of the step. Returns how far the fastest guided body
+/// has moved, which does not move at its velocity alone.
+double update_and_drift(Flow& flow, Rates& rates, double dt, double substep_weight) {
     const StageTimer timer(rates.stages().integration);
     rates.update_density(flow, dt, substep_weight);
-    for (RigidBody& body : flow.bodies) body.drift(0.5 * dt);
-    place_bodies(flow);
+    flow.time += 0.5 * dt;
+    double farthest = 0;
+    for (RigidBody& body : flow.bodies) {
+        const Vec2 position = body.position;
+        const double angle = body.angle;
+        body.drift(0.5 * dt, flow.time);
+        if (body.guided())
+            farthest = std::max(
+                farthest, (body.position - position).norm() + body.radius * std::abs(body.angle - angle));
+    }
+    place_walls(flow, rates.setup().model.gravity);
+    return farthest;
 }
 
 /// The last half kick, which finds the extremes and the first particle out of range. (After a new list the
@@ -62,7 +74,7 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
     const StageTimer timer(rates.stages().integration);
     FluidParticles& fluid = flow.fluid;
     const double slow_weight = substep.last() ? substep.count : 0;
-    for (RigidBody& body : flow.bodies) body.kick(0.5 * substep.dt, slow_weight);
+    for (RigidBody& body : flow.bodies) body.kick(0.5 * substep.dt, slow_weight, flow.time);
     const auto size = static_cast<std::int64_t>(fluid.size());
     double fastest_water = 0, fastest_air = 0, densest_water = 1, densest_air = 1;
     std::int64_t first_bad = size;
@@ -110,11 +122,11 @@ std::optional<Instability> advance(Flow& flow, Rates& rates, const Substep& subs
     rates.refresh_list(flow, moved);
     if (rates.means_in_density() && substep.middle()) rates.wall_means(flow, middle);
     rates.density(flow, middle);
-    update_and_drift(flow, rates, substep.dt, middle);
-    rates.refresh_list(flow, moved);
+    const double moved_by_guide = update_and_drift(flow, rates, substep.dt, middle);
+    rates.refresh_list(flow, std::max(moved, moved_by_guide));
     rates.wall_means(flow, after);
     rates.momentum(flow, after);
-    rates.body_loads(flow, after);
+    rates.body_loads(flow, after, 0.5 * substep.dt);
     return last_kick(flow, rates, substep, bounds, extremes);
 }
 

@@ -105,7 +105,7 @@ OriginEvent geometric_contact(const std::string& body, const std::string& cleara
 }
 
 OriginEvent first_contact(const std::string& body, const std::string& gap_series) {
-    return {gap_series, 0, 0.25, OriginEvent::Crossing::falling, true, "first wet contact of " + body};
+    return {gap_series, 0, contact_gap, OriginEvent::Crossing::falling, true, "first wet contact of " + body};
 }
 
 FoundOrigin find_event(const RunRecord& record, const OriginEvent& event) {

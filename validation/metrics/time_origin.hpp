@@ -18,6 +18,9 @@
 
 namespace wetdeck {
 
+/// The gap between a body and the nearest water at which the water touches it [spacings].
+inline constexpr double contact_gap = 0.25;
+
 OriginEvent geometric_contact(const std::string& body, const std::string& clearance_series);
 OriginEvent first_contact(const std::string& body, const std::string& gap_series);
 

@@ -93,8 +93,12 @@ WallParticles boundary(const Scene& scene, double particle_spacing) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const BodySpec& spec = scene.bodies[b];
         try {
-            add_body_particles(walls, static_cast<std::uint32_t>(b), spec.outline, spec.body.position,
-                               particle_spacing, support);
+            const auto number = static_cast<std::uint32_t>(b);
+            if (spec.solid)
+                add_solid_particles(walls, number, spec.outline, spec.body.position, particle_spacing,
+                                    support, scene.tank);
+            else
+                add_body_particles(walls, number, spec.drawn, spec.body.position, particle_spacing, support);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: {}", spec.name, error.what()));
         }
@@ -118,6 +122,21 @@ double initial_gauge_pressure(const Scene& scene, Phase phase, Vec2 position) {
     return on_surface + density * g * (top - position.y());
 }
 
+/// The velocities that the boxes of water have at the start.
+void set_velocities(const Scene& scene, FluidParticles& fluid) {
+    for (std::size_t i = 0; !scene.water_velocities.empty() && i < fluid.water; ++i) {
+        FluidState& p = fluid.state[i];
+        for (std::size_t b = 0; b < scene.water_boxes.size(); ++b) {
+            const Box& box = scene.water_boxes[b];
+            const Vec2 low = p.position() - box.low, high = box.high - p.position();
+            if (std::min(low.minCoeff(), high.minCoeff()) < 0) continue;
+            p.vx = scene.water_velocities[b].x();
+            p.vy = scene.water_velocities[b].y();
+            break;
+        }
+    }
+}
+
 }  // namespace
 
 Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
@@ -129,15 +148,16 @@ Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
     std::vector<RigidBody> bodies;
     for (const BodySpec& spec : scene.bodies) {
         bodies.push_back(spec.body);
-        if (model.contact.on()) bodies.back().corners = spec.local_outline();
+        if (model.contact.on()) bodies.back().outlines = {spec.local_outline()};
     }
     Execution execution = scene.execution;
     execution.threads = threads;
     execution.instruction_set = instruction_set_from_environment();
     SimulationSetup setup{
-        model,  std::move(fluid), boundary(scene, particle_spacing), particle_spacing, scene.tank,
-        bodies, execution};
+        model,     std::move(fluid), boundary(scene, particle_spacing), particle_spacing, scene.tank, bodies,
+        execution, scene.tank_motion};
     if (scene.arrangement != 0) setup.fluid = settled_arrangement(setup, scene.arrangement);
+    set_velocities(scene, setup.fluid);
     return Simulation(std::move(setup));
 }
 

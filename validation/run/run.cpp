@@ -18,6 +18,7 @@
 #include "validation/run/field_time_series.hpp"
 #include "validation/run/last_good_frame.hpp"
 #include "validation/run/penetration_monitor.hpp"
+#include "validation/run/release_at_contact.hpp"
 #include "validation/run/run_state.hpp"
 #include "validation/run/stop_signal.hpp"
 #include "validation/run/time_series.hpp"
@@ -191,6 +192,7 @@ class Run {
     }
 
     void observe(Progress& progress) {
+        release_touching_(simulation_);
         const Simulation& s = simulation_;
         series_.sample(s, s.time() >= end_);
         if (next_frame_ < scene_.frame_times.size() && s.time() >= scene_.frame_times[next_frame_]) {
@@ -251,6 +253,7 @@ class Run {
     std::optional<FieldWriter> fields_;
     std::size_t next_frame_ = 0;
     const std::vector<double> shown_ = shown_frames(scene_);  ///< by the report [s]
+    const ReleaseAtContact release_touching_{scene_};
     std::uint64_t steps_between_ = inspection_interval(simulation_, 256, 4);
     LastGoodFrame last_good_{steps_between_};
 };

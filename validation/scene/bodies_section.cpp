@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies: outlines, masses and motions at the start.
+// Bodies: outlines, poses, motions at the start. Their masses are read in body_mass.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "solver/core/errors.hpp"
+#include "validation/scene/body_mass.hpp"
+#include "validation/scene/motion_section.hpp"
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/sections.hpp"
+#include "validation/scene/springs_section.hpp"
 
 namespace wetdeck {
 namespace {
@@ -19,6 +23,7 @@ Vec2 point_or(const TomlTable& table, const std::string& key, Vec2 fallback) {
 void read_freedom(const TomlTable& table, RigidBody& body) {
     static const std::vector<std::string> names = {"x", "y", "rotation"};
     body.free = {false, false, false};
+    if (!table.has("free")) return;
     for (const std::string& name : table.texts("free")) {
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end()) table.fail("free", fmt::format("'{}' is none of x, y, rotation", name));
@@ -45,7 +50,7 @@ struct TankFace {
     double gap;
 };
 
-TankFace nearest_face(const Outline& outline, const Box& tank) {
+TankFace nearest_tank_face(const Outline& outline, const Box& tank) {
     TankFace nearest{"", std::numeric_limits<double>::infinity()};
     for (const Vec2& corner : outline) {
         const Vec2 low = corner - tank.low, high = tank.high - corner;
@@ -58,28 +63,32 @@ TankFace nearest_face(const Outline& outline, const Box& tank) {
 }
 
 /// Throws where the body starts outside the tank, in contact with it without a law of contact, or in another
-/// body.
+/// body. Solids may touch the tank and each other.
 void check_place(const TomlTable& table, const BodySpec& spec, const Scene& scene) {
-    constexpr double tolerance = 1e-9;
-    const TankFace face = nearest_face(spec.outline, scene.tank);
+    constexpr double tolerance = 1e-9, least_shared_area = 1e-12;
+    const TankFace face = nearest_tank_face(spec.outline, scene.tank);
     if (face.gap < -tolerance)
         table.fail("outline",
                    fmt::format("reaches outside the tank: {:.4g} m beyond the {}", -face.gap, face.name));
-    const bool may_touch = scene.model.contact.on() && spec.body.moves();
+    const bool may_touch = spec.solid || (scene.model.contact.on() && spec.body.moves());
     if (face.gap <= tolerance && !may_touch)
         table.fail(
             "outline",
             fmt::format("touches the tank's {}: leave a gap of less than half a spacing, which no "
                         "particle enters (0.001 m, say){}",
                         face.name, spec.body.moves() ? ", or switch contact on with a table [contact]" : ""));
-    for (const BodySpec& other : scene.bodies)
-        if (overlap(spec.outline, other.outline)) table.fail("outline", "overlaps that of " + other.name);
+    for (const BodySpec& other : scene.bodies) {
+        const bool both_solid = spec.solid && other.solid;
+        if (both_solid ? shared_area(spec.outline, other.outline) > least_shared_area
+                       : overlap(spec.outline, other.outline))
+            table.fail("outline", "overlaps that of " + other.name);
+    }
 }
 
 /// Throws for a point outside the bounding box of the outline, in whose frame it is given.
 void check_mass_centre(const TomlTable& table, Vec2 centre, const BodySpec& spec) {
-    Vec2 low = spec.outline.front(), high = low;
-    for (const Vec2& corner : spec.outline) {
+    Vec2 low = spec.drawn.front(), high = low;
+    for (const Vec2& corner : spec.drawn) {
         low = low.cwiseMin(corner);
         high = high.cwiseMax(corner);
     }
@@ -93,43 +102,114 @@ void check_mass_centre(const TomlTable& table, Vec2 centre, const BodySpec& spec
                     centre.x(), centre.y(), low.x(), low.y(), high.x(), high.y()));
 }
 
-/// Mass and inertia: of even density over the outline unless the file knows better, with Steiner's share for
-/// a mass centre beside the centroid.
-void read_mass(const TomlTable& table, const AreaMoments& moments, BodySpec& spec) {
+/// The outline in the frame of the file, moved to its origin.
+void read_outline_of(const TomlTable& table, BodySpec& spec) {
+    spec.drawn = read_corners(table);
+    for (Vec2& corner : spec.drawn) corner += spec.origin;
+    try {
+        check_outline(spec.drawn);
+    } catch (const InputError& error) {
+        table.fail("outline", error.what());
+    }
+}
+
+/// velocity_x and velocity_y, or a speed and the direction of entry from straight down towards x.
+void read_velocity(const TomlTable& table, RigidBody& body) {
+    body.velocity = {table.number_or("velocity_x", 0), table.number_or("velocity_y", 0)};
+    body.angular_velocity = table.number_or("angular_velocity", 0);
+    if (!table.has("speed")) {
+        if (table.has("direction")) table.fail("direction", "is that of 'speed', which is missing");
+        return;
+    }
+    if (table.has("velocity_x") || table.has("velocity_y"))
+        table.fail("speed", "takes the place of velocity_x and velocity_y, which are given too");
+    const double speed = table.number("speed"), direction = read_angle(table, "direction", 0);
+    if (speed < 0) table.fail("speed", "expected zero or a positive speed [m/s]");
+    body.velocity = speed * Vec2(std::sin(direction), -std::cos(direction));
+}
+
+/// When the free motions are let go: at a time, or at the first contact with water.
+void read_release(const TomlTable& table, BodySpec& spec) {
+    if (!table.has("release")) return;
+    double& time = spec.body.guide.release_time;
+    if (!spec.body.yields()) table.fail("release", "lets nothing go: no motion is in 'free'");
+    if (table.holds_text("release") && table.text("release") == "contact") {
+        spec.release_at_contact = true;
+        time = std::numeric_limits<double>::infinity();
+        return;
+    }
+    time = table.holds_text("release") ? 0 : table.number("release");
+    if (!(time > 0)) table.fail("release", "expected \"contact\" or a positive time [s]");
+}
+
+/// Given motions, hinge, springs, release.
+void read_guide(const TomlTable& table, const Scene& scene, BodySpec& spec) {
     RigidBody& body = spec.body;
-    body.mass = body.free[0] || body.free[1] ? table.positive("mass") : table.number_or("mass", 0);
-    const Vec2 beside = body.position - moments.centroid;
-    spec.even_inertia = body.mass * (moments.second_moment / moments.area + beside.squaredNorm());
-    body.inertia = table.number_or("inertia", spec.even_inertia);
-    if (!body.free[2] || body.inertia > 0) return;
-    if (table.has("inertia")) table.fail("inertia", "expected a positive number [kg m]");
-    table.fail("mass", table.has("mass") ? "expected a positive number [kg/m]"
-                                         : "missing: a body that is free to turn needs its mass [kg/m], from "
-                                           "which its inertia follows, or its inertia [kg m]");
+    const GivenMotions given = read_motions(table, scene.end_time, scene.model.water.eos.sound_speed);
+    body.guide.motion = given.motion;
+    if (table.has("pivot")) body.guide.pivot = spec.in_body_frame(point(table, "pivot"));
+    read_release(table, spec);
+    read_springs(table, spec);
+    for (const char* key : {"motion", "pivot", "release", "springs"}) spec.guide += table.text_of(key);
+    static const char* const names[] = {"x", "y", "rotation"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!body.guide.motion[k]) continue;
+        if (body.free[k] && !(body.guide.release_time > 0))
+            table.fail("motion", fmt::format("gives {0}, and 'free' lets forces move it: take {0} out of "
+                                             "'free', or give a 'release'",
+                                             names[k]));
+    }
+    if (!body.guide.pivot) return;
+    if (body.free[0] || body.free[1])
+        table.fail("pivot", "holds the body along x and y, which are in 'free'");
+    if (!body.velocity.isZero())
+        table.fail("pivot", "stays or moves as 'motion' says: expected no velocity of the body");
+}
+
+void read_pose(const TomlTable& table, BodySpec& spec) {
+    spec.body.angle = read_angle(table, "angle", 0);
+    if (std::abs(spec.body.angle) > 2 * std::numbers::pi)
+        table.fail("angle", fmt::format("is {:.4g} rad, more than a turn: degrees are written \"8 deg\"",
+                                        spec.body.angle));
+    spec.outline.clear();
+    for (const Vec2& corner : spec.drawn)
+        spec.outline.push_back(spec.body.angle == 0 ? corner : spec.body.placed(corner - spec.body.position));
 }
 
 BodySpec read_body(const TomlTable& table, const std::string& name, const Scene& scene) {
     BodySpec spec;
     spec.name = name;
     spec.origin = point(table, "position");
-    spec.outline = read_corners(table);
-    for (Vec2& corner : spec.outline) corner += spec.origin;
-    try {
-        check_outline(spec.outline);
-    } catch (const InputError& error) {
-        table.fail("outline", error.what());
-    }
+    read_outline_of(table, spec);
     RigidBody& body = spec.body;
     read_freedom(table, body);
-    const AreaMoments moments = area_moments(spec.outline);
+    const AreaMoments moments = area_moments(spec.drawn);
     const Vec2 centroid = moments.centroid - spec.origin;
     body.position = spec.origin + point_or(table, "mass_centre", centroid);
     if (table.has("mass_centre")) check_mass_centre(table, body.position - spec.origin, spec);
     read_mass(table, moments, spec);
-    body.velocity = {table.number_or("velocity_x", 0), table.number_or("velocity_y", 0)};
-    body.angular_velocity = table.number_or("angular_velocity", 0);
+    read_pose(table, spec);
+    read_velocity(table, body);
     body.applied_force = point_or(table, "applied_force", Vec2::Zero());
     body.applied_torque = table.number_or("applied_torque", 0);
+    read_guide(table, scene, spec);
+    table.finish();
+    check_place(table, spec, scene);
+    return spec;
+}
+
+BodySpec read_solid(const TomlTable& table, const std::string& name, const Scene& scene) {
+    BodySpec spec;
+    spec.solid = true;
+    spec.name = table.text_or("name", name);
+    for (const BodySpec& other : scene.bodies)
+        if (other.name == spec.name) table.fail("name", fmt::format("'{}' is taken", spec.name));
+    if (spec.name == "tank") table.fail("name", "'tank' is that of the tank");
+    spec.origin = point_or(table, "position", Vec2::Zero());
+    read_outline_of(table, spec);
+    spec.outline = spec.drawn;
+    spec.body.free = {false, false, false};
+    spec.body.position = area_moments(spec.drawn).centroid;
     table.finish();
     check_place(table, spec, scene);
     return spec;
@@ -143,6 +223,27 @@ void read_bodies(const TomlTable& root, Scene& scene) {
         const std::optional<TomlTable> table = root.optional_table(name);
         if (!table) break;
         scene.bodies.push_back(read_body(*table, name, scene));
+    }
+    int number = 0;
+    for (const TomlTable& table : root.tables("solids")) {
+        ++number;
+        const std::string name = number == 1 ? "solid" : fmt::format("solid_{}", number);
+        scene.bodies.push_back(read_solid(table, name, scene));
+    }
+}
+
+void add_tank_walls(const TomlTable& tank, const Outline& outline, Scene& scene) {
+    int number = 0;
+    for (Outline& part : parts_outside(scene.tank, outline)) {
+        ++number;
+        BodySpec spec;
+        spec.solid = true;
+        spec.name = number == 1 ? "tank_wall" : fmt::format("tank_wall_{}", number);
+        spec.outline = spec.drawn = std::move(part);
+        spec.body.free = {false, false, false};
+        spec.body.position = area_moments(spec.drawn).centroid;
+        check_place(tank, spec, scene);
+        scene.bodies.push_back(std::move(spec));
     }
 }
 

@@ -13,6 +13,7 @@ namespace wetdeck {
 namespace {
 
 constexpr double tolerance = 1e-9;  // of lengths [m]
+constexpr int instants_looked_at = 200;
 
 bool in_column(const Box& box, double x) {
     return box.low.x() <= x && x <= box.high.x();
@@ -61,22 +62,38 @@ double falling_acceleration(const Scene& scene, const RigidBody& body) {
     return std::max(0.0, -scene.model.gravity.y() - body.applied_force.y() / body.mass);
 }
 
+bool has_given_motion(const RigidBody& body) {
+    return body.guide.pivot || body.motion_of(0) || body.motion_of(1) || body.motion_of(2);
+}
+
 double speed_of_body(const Scene& scene, const BodySpec& spec) {
     const Box extent = extent_of(spec.outline);
     double radius = 0;
     for (const Vec2& corner : spec.outline) radius = std::max(radius, (corner - spec.body.position).norm());
     const RigidBody& body = spec.body;
     const double height = std::max(0.0, extent.low.y() - level_below(scene, extent));
-    return std::sqrt(body.velocity.squaredNorm() + 2 * falling_acceleration(scene, body) * height) +
-           radius * std::abs(body.angular_velocity);
+    double given = 0;  // of the motions that the scene prescribes
+    for (int k = 0; k <= instants_looked_at && has_given_motion(body); ++k) {
+        const double time = k * scene.end_time / instants_looked_at;
+        const auto speed = [&](int degree) {
+            return body.motion_of(degree) ? body.motion_of(degree)(time).velocity : 0;
+        };
+        given = std::max(given, std::hypot(speed(0), speed(1)) + radius * std::abs(speed(2)));
+    }
+    return std::max(given,
+                    std::sqrt(body.velocity.squaredNorm() + 2 * falling_acceleration(scene, body) * height) +
+                        radius * std::abs(body.angular_velocity));
 }
 
-/// The outline after a time at the velocities that are given; degrees of freedom that are free stay.
+/// The outline after a time at the velocities and motions that are given; degrees of freedom that are free
+/// stay.
 Outline moved(const BodySpec& spec, double time) {
     RigidBody body = spec.body;
+    body.start();
     for (int k = 0; k < 2; ++k)
         if (!body.free[static_cast<std::size_t>(k)]) body.position[k] += time * body.velocity[k];
     if (!body.free[2]) body.angle += time * body.angular_velocity;
+    if (body.guided()) body.drift(0, time);
     Outline outline;
     for (const Vec2& corner : spec.local_outline()) outline.push_back(body.placed(corner));
     return outline;
@@ -85,7 +102,7 @@ Outline moved(const BodySpec& spec, double time) {
 /// Whether some part of the motion is given and not zero.
 bool driven(const RigidBody& body) {
     return (!body.free[0] && body.velocity.x() != 0) || (!body.free[1] && body.velocity.y() != 0) ||
-           (!body.free[2] && body.angular_velocity != 0);
+           (!body.free[2] && body.angular_velocity != 0) || has_given_motion(body);
 }
 
 /// A motion that is given in part counts for the faces across that part alone.
@@ -137,22 +154,29 @@ ExpectedSpeed fastest_expected_speed(const Scene& scene) {
     return fastest;
 }
 
-std::vector<std::string> motions_out_of_tank(const Scene& scene) {
-    constexpr int instants = 200;
-    std::vector<std::string> found;
-    for (const BodySpec& spec : scene.bodies) {
-        if (!driven(spec.body)) continue;
-        const Box faces = faces_reached(spec.body, scene.tank);
-        for (int k = 1; k <= instants; ++k) {
-            const double time = k * scene.end_time / instants;
-            if (inside(moved(spec, time), faces)) continue;
-            found.push_back(
-                fmt::format("the motion given for {} leads it out of the tank at about {:.3g} s, "
-                            "before the end at {:.3g} s",
-                            spec.name, time, scene.end_time));
-            break;
-        }
+std::optional<std::string> collision_of_given_motion(const Scene& scene, const BodySpec& spec) {
+    if (!driven(spec.body)) return std::nullopt;
+    const Box faces = faces_reached(spec.body, scene.tank);
+    const bool lets_go = spec.body.guide.release_time > 0;
+    for (int k = 1; k <= instants_looked_at; ++k) {
+        const double time = k * scene.end_time / instants_looked_at;
+        if (lets_go && (spec.release_at_contact || time > spec.body.guide.release_time)) break;
+        const Outline outline = moved(spec, time);
+        if (!inside(outline, faces))
+            return fmt::format("leads it out of the tank at about {:.3g} s, before the end at {:.3g} s", time,
+                               scene.end_time);
+        for (const BodySpec& other : scene.bodies)
+            if (&other != &spec && !other.body.moves() && overlap(outline, other.outline))
+                return fmt::format("leads it into {} at about {:.3g} s", other.name, time);
     }
+    return std::nullopt;
+}
+
+std::vector<std::string> motions_out_of_tank(const Scene& scene) {
+    std::vector<std::string> found;
+    for (const BodySpec& spec : scene.bodies)
+        if (const auto collision = collision_of_given_motion(scene, spec))
+            found.push_back(fmt::format("the motion given for {} {}", spec.name, *collision));
     return found;
 }
 

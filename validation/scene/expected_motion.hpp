@@ -39,6 +39,9 @@ std::optional<WaterEntry> water_entry(const Scene& scene, const BodySpec& spec);
 /// each besides the speed of the body's fastest corner by its rotation.
 ExpectedSpeed fastest_expected_speed(const Scene& scene);
 
+/// How the velocities and motions that are given for a body lead it out of the tank or into a solid, as far
+/// as 200 instants show; nothing if they do not.
+std::optional<std::string> collision_of_given_motion(const Scene& scene, const BodySpec& spec);
 /// A sentence for each body whose given motion leads it out of the tank before the end.
 std::vector<std::string> motions_out_of_tank(const Scene& scene);
 

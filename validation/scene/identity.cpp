@@ -30,16 +30,20 @@ json body_json(const BodySpec& spec) {
     const RigidBody& body = spec.body;
     json outline = json::array();
     for (const Vec2& corner : spec.outline) outline.push_back(vector_json(corner));
-    return {{"outline", outline},
-            {"position", vector_json(body.position)},
-            {"angle", body.angle},
-            {"mass", body.mass},
-            {"inertia", body.inertia},
-            {"free", body.free},
-            {"velocity", vector_json(body.velocity)},
-            {"angular_velocity", body.angular_velocity},
-            {"applied_force", vector_json(body.applied_force)},
-            {"applied_torque", body.applied_torque}};
+    json all = {{"outline", outline},
+                {"position", vector_json(body.position)},
+                {"angle", body.angle},
+                {"mass", body.mass},
+                {"inertia", body.inertia},
+                {"free", body.free},
+                {"velocity", vector_json(body.velocity)},
+                {"angular_velocity", body.angular_velocity},
+                {"applied_force", vector_json(body.applied_force)},
+                {"applied_torque", body.applied_torque}};
+    // bodies of before there were such keys stay the same
+    if (!spec.guide.empty()) all["guide"] = spec.guide;
+    if (spec.solid) all["solid"] = true;
+    return all;
 }
 
 }  // namespace
@@ -74,6 +78,12 @@ json setup_json(const Scene& scene) {
                   {"sample_interval", scene.sample_interval},
                   {"force_filter", scene.force_filter},
                   {"frame_times", scene.frame_times}};
+    if (!scene.tank_guide.empty()) setup["tank_motion"] = scene.tank_guide;
+    if (!scene.water_velocities.empty()) {
+        setup["water_velocities"] = json::array();
+        for (const Vec2& velocity : scene.water_velocities)
+            setup["water_velocities"].push_back(vector_json(velocity));
+    }
     if (scene.arrangement != 0) setup["arrangement"] = scene.arrangement;
     return setup;
 }

@@ -80,12 +80,12 @@ Face read_face(const TomlTable& table, const Scene& scene) {
     const BodySpec& body = scene.bodies[number];
     std::vector<std::string> notes;
     const auto end = [&](const char* key) {
-        const FacePlace nearest = nearest_face(body.outline, body.origin + point(table, key));
+        const FacePlace nearest = nearest_face(body.drawn, body.origin + point(table, key));
         return on_face(table, key, nearest, body.origin, scene, notes);
     };
     const Vec2 from = end("from"), to = end("to");
     if ((to - from).norm() == 0) table.fail("to", "is the same point as 'from'");
-    const auto off = [&](Vec2 place) { return std::abs(distance_to(body.outline, body.origin + place)); };
+    const auto off = [&](Vec2 place) { return std::abs(distance_to(body.drawn, body.origin + place)); };
     for (const auto& [key, place] : {std::pair("from", from), std::pair("to", to)}) {
         if (off(place) > face_tolerance)
             table.fail(key, fmt::format("lies {:.3g} m off the outline of {}", off(place), body.name));
@@ -171,7 +171,7 @@ Probe water_depth_at(const TomlTable& table, const Scene& scene) {
 Probe body_pressure(const TomlTable& table, const Scene& scene) {
     const std::size_t number = body_number(table, scene);
     const BodySpec& body = scene.bodies[number];
-    const FacePlace face = nearest_face(body.outline, body.origin + point(table, "centre"));
+    const FacePlace face = nearest_face(body.drawn, body.origin + point(table, "centre"));
     const Disc disc = read_disc(table, scene, face, body.origin,
                                 fmt::format("expected a point on the outline of {}", body.name));
     return pressure_gauge(table, disc, {body.in_body_frame(disc.centre), face.normal, disc.diameter, number},
@@ -228,7 +228,7 @@ Probe face_pressure(const TomlTable& table, const Scene& scene) {
     std::vector<FacePoint> points;  // each in the middle of its share, in the frame of the mass centre
     for (const double share : midpoints(0, 1, count)) {
         const Vec2 place = face.from + share * (face.to - face.from);
-        points.push_back({body.in_body_frame(place), nearest_face(body.outline, body.origin + place).normal});
+        points.push_back({body.in_body_frame(place), nearest_face(body.drawn, body.origin + place).normal});
     }
     Probe probe;
     probe.series.abscissa = midpoints(0, (face.to - face.from).norm(), count);
@@ -270,7 +270,7 @@ Probe air_film(const TomlTable& table, const Scene& scene) {
     const BodySpec& body = scene.bodies[face.body];
     Vec2 from = body.in_body_frame(face.from), to = body.in_body_frame(face.to);
     const Vec2 middle = body.origin + 0.5 * (face.from + face.to);
-    const Vec2 normal = nearest_face(body.outline, middle).normal;
+    const Vec2 normal = nearest_face(body.drawn, middle).normal;
     if (normal.dot(Vec2(to.y() - from.y(), from.x() - to.x())) < 0) std::swap(from, to);
     Probe probe;
     probe.place = face.place;

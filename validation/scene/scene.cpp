@@ -11,6 +11,8 @@
 #include "solver/core/errors.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/time/time_step.hpp"
+#include "validation/scene/expected_motion.hpp"
+#include "validation/scene/motion_section.hpp"
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/schemes.hpp"
 #include "validation/scene/sections.hpp"
@@ -236,11 +238,7 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     scene.analysis.expected_unstable = root.choice("expect", {"stable", "unstable"}, "stable") == "unstable";
 
     const TomlTable tank = root.table("tank");
-    const std::vector<double> size = tank.numbers("size", 2);
-    if (!(size[0] > 0 && size[1] > 0)) tank.fail("size", "expected two positive lengths");
-    scene.tank.high = {size[0], size[1]};
-    tank.finish();
-
+    const Outline tank_outline = read_tank(tank, scene);
     if (const std::optional<TomlTable> accepted = root.optional_table("accepted_doubts")) {
         scene.accepted = {accepted->text_or("sound_speed", ""), accepted->text_or("echo", "")};
         accepted->finish();
@@ -249,6 +247,12 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     read_model(root, scene);
     const TomlTable water = root.table("water");
     scene.water_boxes = read_boxes(water, scene.tank, {});
+    for (const std::vector<double>& row :
+         water.has("velocities") ? water.number_rows("velocities", 2) : std::vector<std::vector<double>>{})
+        scene.water_velocities.emplace_back(row[0], row[1]);
+    if (!scene.water_velocities.empty() && scene.water_velocities.size() != scene.water_boxes.size())
+        water.fail("velocities", fmt::format("has {} rows, expected one [x, y] for each of the {} boxes",
+                                             scene.water_velocities.size(), scene.water_boxes.size()));
     for (const char* key : {"density", "sound_speed", "exponent", "viscosity"}) water.has(key);
     water.finish();
     if (const std::optional<TomlTable> air = root.optional_table("air")) {
@@ -256,9 +260,16 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
         for (const char* key : {"density", "sound_speed", "exponent", "viscosity", "law"}) air->has(key);
         air->finish();
     }
-    read_bodies(root, scene);
-    read_initial(root, scene);
     read_run(root, scene);
+    read_tank_motion(tank, scene);
+    read_bodies(root, scene);
+    if (!tank_outline.empty()) add_tank_walls(tank, tank_outline, scene);
+    for (const BodySpec& spec : scene.bodies) {
+        const bool samples_or_formula = !spec.solid && root.table(spec.name).has("motion");
+        if (const auto collision = collision_of_given_motion(scene, spec); collision && samples_or_formula)
+            root.table(spec.name).fail("motion", *collision);
+    }
+    read_initial(root, scene);
     read_tiers(root, scene);
     read_probes(root, scene);
     read_analysis(root, scene);
@@ -302,7 +313,7 @@ Scene parse_scene(const std::string& text, const std::string& path, const std::o
 
 Scene read_scene(const fs::path& path, const std::optional<std::string>& variant,
                  const std::vector<std::string>& overrides) {
-    const std::string text = with_outlines(scene_text(path), path);
+    const std::string text = with_sample_files(with_outlines(scene_text(path), path), path);
     Scene scene = parse_scene(text, path.string(), variant, overrides);
     scene.path = fs::absolute(path).lexically_normal().string();  // a report may be made from anywhere
     scene.analysis.folder = fs::path(scene.path).parent_path();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/bodies/moving_frame.hpp"
 #include "solver/bodies/rigid_body.hpp"
 #include "solver/core/execution.hpp"
 #include "solver/core/vec2.hpp"
@@ -19,16 +20,23 @@
 
 namespace wetdeck {
 
-/// A rigid body of a scene: its outline as placed at the start, and its state then.
+/// A rigid body of a scene, or a solid that is fixed in the tank: its outline as placed at the start, and its
+/// state then.
 struct BodySpec {
-    std::string name;            ///< of its table: body, body_2, ...
+    std::string name;            ///< of its table: body, body_2, ..., or of the solid
     Outline outline;             ///< corners in the scene at the start [m]
+    Outline drawn;               ///< the same before the body is turned by its angle [m]
     Vec2 origin = Vec2::Zero();  ///< of the frame in which the file gives the outline [m]
     RigidBody body;
     double even_inertia = 0;  ///< about the mass centre, with the mass spread evenly over the outline [kg m]
+    bool solid = false;       ///< fixed in the tank, whose faces it may touch
+    bool release_at_contact = false;  ///< its free motions are held until water touches it
+    std::string guide;  ///< its motion, hinge, springs and release as the file gives them; empty: none
 
     /// A point of the outline's frame in the frame of the mass centre [m].
     Vec2 in_body_frame(Vec2 point) const { return point + origin - body.position; }
+    /// A point of the outline's frame in the scene, before the body is turned [m].
+    Vec2 as_drawn(Vec2 point) const { return point + origin; }
     /// A point of the outline's frame in the scene at the start [m].
     Vec2 at_start(Vec2 point) const { return body.placed(in_body_frame(point)); }
     /// The outline in the frame of the mass centre [m].
@@ -68,8 +76,11 @@ struct Scene {
     std::string air_law;        ///< of the air's sound speed, or empty
     std::string source_scheme;  ///< the scheme of the scene's source, or empty
     Box tank;
+    MovingFrame tank_motion;
+    std::string tank_guide;  ///< the motion of the tank as the file gives it; empty: it is at rest
     AcceptedDoubts accepted;
     std::vector<Box> water_boxes, air_boxes;
+    std::vector<Vec2> water_velocities;  ///< of the water boxes at the start [m/s]; empty: at rest
     std::vector<BodySpec> bodies;
     InitialPressure initial;
     std::uint64_t arrangement = 0;  ///< seed of settled_arrangement; 0: the lattice

@@ -24,8 +24,14 @@ void read_statements(const TomlTable& root, const std::vector<std::string>& seri
                      const std::vector<std::string>& quantities, Scene& scene);
 /// [[source_figures]], [[unused_references]]
 void read_sources(const TomlTable& root, AnalysisSpec& analysis);
-/// [body], [body_2], ...
+/// tank.size, or tank.outline and the box around it. Returns the outline, or none.
+Outline read_tank(const TomlTable& tank, Scene& scene);
+/// tank.motion and tank.roll_centre; it finishes the table.
+void read_tank_motion(const TomlTable& tank, Scene& scene);
+/// [body], [body_2], ..., and [[solids]] behind them
 void read_bodies(const TomlTable& root, Scene& scene);
+/// tank.outline -> solids between it and the box around it; none for an empty outline.
+void add_tank_walls(const TomlTable& tank, const Outline& outline, Scene& scene);
 /// [[probes]]
 void read_probes(const TomlTable& root, Scene& scene);
 

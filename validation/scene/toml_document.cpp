@@ -184,6 +184,10 @@ void collect_texts(const toml::table& table, const std::string& wanted, const st
         const std::string name = prefix + std::string(key.str());
         if (value.is_table()) {
             collect_texts(*value.as_table(), wanted, name + ".", text, found);
+        } else if (const toml::array* entries = value.as_array()) {
+            for (std::size_t k = 0; k < entries->size(); ++k)
+                if (const toml::table* entry = (*entries)[k].as_table())
+                    collect_texts(*entry, wanted, fmt::format("{}[{}].", name, k), text, found);
         } else if (value.is_string() && key.str() == wanted) {
             const toml::source_region& region = value.source();
             if (region.begin.line != region.end.line) continue;

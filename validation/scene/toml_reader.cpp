@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "solver/core/errors.hpp"
 #include "validation/scene/toml_node.hpp"
@@ -183,6 +184,15 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
             TomlTable(std::make_shared<Node>(Node{entry.as_table(), prefix, node_->path, {}})));
     }
     return children;
+}
+
+std::string TomlTable::text_of(const std::string& key) const {
+    if (!has(key)) return {};
+    toml::table alone;
+    alone.insert(key, *node_->table->get(key));
+    std::ostringstream out;
+    out << toml::toml_formatter(alone);
+    return out.str();
 }
 
 std::vector<std::string> TomlTable::keys() const {

@@ -40,6 +40,8 @@ class TomlTable {
     TomlTable table(const std::string& key) const;
     std::optional<TomlTable> optional_table(const std::string& key) const;
     std::vector<TomlTable> tables(const std::string& key) const;
+    /// An entry as TOML text, sorted by key; empty where it is not there.
+    std::string text_of(const std::string& key) const;
     /// Names of all entries, in the order of the file.
     std::vector<std::string> keys() const;
 
