@@ -23,6 +23,8 @@ RatesSetup checked(const SimulationSetup& setup) {
     RatesSetup result{setup.model, setup.execution, setup.particle_spacing, setup.domain};
     if (setup.model.periodic_x && (!setup.bodies.empty() || setup.model.sponge_thickness > 0))
         throw InputError("a periodic domain can have neither bodies nor a sponge layer");
+    if (setup.model.mirror_x && (setup.model.periodic_x || setup.model.contact.on()))
+        throw InputError("half a domain can be neither periodic nor have contacts of bodies");
     if (setup.tank_motion.moves() && (setup.model.periodic_x || setup.model.sponge_thickness > 0))
         throw InputError("a tank that moves can be neither periodic nor have a sponge layer");
     const bool two_phase = setup.fluid.water > 0 && setup.fluid.water < setup.fluid.size();

@@ -44,7 +44,8 @@ void add_sides(const RigidBody& body, const std::vector<Vec2>& outline, std::vec
     for (std::size_t k = 0; k < n; ++k) {
         const Vec2 from = axes * outline[k], to = axes * outline[(k + 1) % n];
         const Vec2 right = Vec2((to - from).y(), (from - to).x()).normalized();
-        sides.push_back({body.position + from, body.position + to, area > 0 ? right : Vec2(-right), {}});
+        sides.push_back(
+            {body.position + from, body.position + to, area > 0 ? right : Vec2(-right), Vec2(0, 0)});
     }
     for (std::size_t k = 0; k < n; ++k)
         sides[first + k].outwards_before = sides[first + (k + n - 1) % n].outwards;

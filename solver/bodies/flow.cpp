@@ -93,4 +93,15 @@ BodyLoad load_on(const Flow& flow, std::size_t body) {
     return load;
 }
 
+BodyLoad load_on_both_halves(const Flow& flow, std::size_t body, double plane, double particle_spacing) {
+    const WallParticles& walls = flow.walls;
+    BodyLoad load;
+    for (std::size_t n = walls.fixed; n < walls.size(); ++n) {
+        if (walls.body_point[n].body == body)
+            load.force.y() +=
+                2 * share_of_half(walls.state[n].x - plane, particle_spacing) * walls.force_y[n];
+    }
+    return load;
+}
+
 }  // namespace wetdeck

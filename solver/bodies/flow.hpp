@@ -46,4 +46,15 @@ void place_walls(Flow& flow, Vec2 gravity);
 /// Sum of the forces that the last force pass left on the boundary particles of one body, Eqs. (20)-(21).
 BodyLoad load_on(const Flow& flow, std::size_t body);
 
+/// The same where the flow to the right of a plane x = const is computed alone: twice that of the boundary
+/// particles there, without force along x and torque.
+BodyLoad load_on_both_halves(const Flow& flow, std::size_t body, double plane, double particle_spacing);
+
+/// Share of a particle in the half that is computed: 1 in it, 1/2 on the plane, 0 behind.
+/// @param distance  from the plane [m]
+inline double share_of_half(double distance, double particle_spacing) {
+    const double on_plane = 1e-6 * particle_spacing;
+    return distance > on_plane ? 1 : distance < -on_plane ? 0 : 0.5;
+}
+
 }  // namespace wetdeck

@@ -62,7 +62,7 @@ void append_clusters(std::vector<Cluster>& clusters, std::size_t begin, std::siz
 }  // namespace
 
 NeighbourList::NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                             bool with_walls_own_lists, bool periodic_x)
+                             bool with_walls_own_lists, DomainEnds ends)
     : origin_(domain.low - Vec2::Constant(support_radius + skin)),
       grid_(grid_over(domain, particle_spacing, support_radius + skin)),
       reach_(support_radius + skin),
@@ -70,7 +70,7 @@ NeighbourList::NeighbourList(Box domain, double particle_spacing, double support
       motion_(grid_, reach_, skin),
       with_walls_own_lists_(with_walls_own_lists) {
     // walls run on beyond the ends by a support, and see the fluid around themselves
-    if (periodic_x) images_.emplace(domain, 2 * reach_);
+    if (ends != DomainEnds::walls) images_.emplace(ends, domain, 2 * reach_);
 }
 
 NeighbourList::Cell NeighbourList::cell_of(double x, double y) const {
@@ -162,8 +162,8 @@ void NeighbourList::collect_moves(const FluidParticles& fluid, const WallParticl
         extend_at(built_body_[n], Vec2(p.x, p.y) - built_body_[n]);
     }
     if (!images_) return;
-    for (const PeriodicImages::Image& image : images_->images())
-        extend_at(built_at(image.source) + Vec2(image.shift, 0), move(image.source));
+    for (const DomainImages::Image& image : images_->images())
+        extend_at(image.place(built_at(image.source)), image.turn(move(image.source)));
 }
 
 void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
@@ -199,9 +199,10 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
 void NeighbourList::place_images(const FluidParticles& fluid) {
     images_->choose(fluid);
     key_.clear();
-    for (const PeriodicImages::Image& image : images_->images()) {
+    for (const DomainImages::Image& image : images_->images()) {
         const FluidState& p = fluid.state[image.source];
-        key_.push_back(sort_key(p.x + image.shift, p.y, fluid.phase(image.source)));
+        const Vec2 at = image.place(p.position());
+        key_.push_back(sort_key(at.x(), at.y(), fluid.phase(image.source)));
     }
     counting_sort(key_, phase_count * cells(), image_start_, order_);
     images_->reorder(order_);
@@ -211,7 +212,7 @@ void NeighbourList::place_images(const FluidParticles& fluid) {
 /// What the search for the neighbours of every cluster reads.
 struct NeighbourList::Search {
     const FluidParticles& fluid;
-    const FluidState* listed;  ///< the fluid and its periodic images
+    const FluidState* listed;  ///< the fluid and its images
     const WallParticles& walls;
     NearFilter near;
 };

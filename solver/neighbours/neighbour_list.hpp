@@ -14,7 +14,7 @@
 
 #include "solver/core/vec2.hpp"
 #include "solver/neighbours/cluster.hpp"
-#include "solver/neighbours/periodic_images.hpp"
+#include "solver/neighbours/domain_images.hpp"
 #include "solver/neighbours/relative_motion.hpp"
 #include "solver/particles/walls.hpp"
 
@@ -24,15 +24,16 @@ class NeighbourList {
   public:
     /// @param domain  where particles are expected [m]; those outside are still found, only more slowly
     /// @param with_walls_own_lists  also list the fluid around each boundary particle (Shepard pressure)
-    /// @param periodic_x  the left and the right end of the domain are one place
+    /// @param ends    what is beyond the left and the right end of the domain
     NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                  bool with_walls_own_lists, bool periodic_x = false);
+                  bool with_walls_own_lists, DomainEnds ends = DomainEnds::walls);
 
     /// Sorts the tank's boundary particles along the grid. Needed once, before the first build.
     void sort_fixed_walls(WallParticles& walls);
 
     /// Sorts the fluid and the particles of bodies along the grid (ids keep track) and lists all pairs within
-    /// support and skin. Where the domain is periodic, particles that have left it come in at the other end.
+    /// support and skin. Particles that have left a periodic domain come in at the other end, those
+    /// behind a plane of symmetry before it.
     void build(FluidParticles& fluid, WallParticles& walls, NearFilter near, int threads);
 
     /// Call it after every move: no particle has moved by more than `farthest` [m] since the last call, or
@@ -50,7 +51,7 @@ class NeighbourList {
     Vec2 built_at(std::size_t i) const { return {built_[2 * i], built_[2 * i + 1]}; }
     const double* built_positions() const { return built_.data(); }
 
-    /// What the indices of neighbours mean: the fluid, and behind it its periodic images as they now are.
+    /// What the indices of neighbours mean: the fluid, and behind it its images as they now are.
     const FluidState* listed(const FluidParticles& fluid) const {
         return images_ ? images_->appended_to(fluid) : fluid.state.data();
     }
@@ -95,7 +96,7 @@ class NeighbourList {
     struct Search;
     void list_block(const Search& search, std::size_t block);
 
-    std::optional<PeriodicImages> images_;
+    std::optional<DomainImages> images_;
     Vec2 origin_;
     CellGrid grid_;
     double reach_, skin_, slack_ = 0;
@@ -103,7 +104,7 @@ class NeighbourList {
     bool with_walls_own_lists_;
 
     std::vector<std::uint32_t> fluid_start_;  ///< first particle of (phase, cell), plus an end mark
-    std::vector<std::uint32_t> image_start_;  ///< the same of the periodic images
+    std::vector<std::uint32_t> image_start_;  ///< the same of the images
     std::vector<std::uint32_t> fixed_start_, body_start_;  ///< first boundary particle of a cell
     std::vector<Cluster> clusters_, wall_clusters_;
     std::vector<std::size_t> shares_, air_shares_;

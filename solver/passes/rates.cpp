@@ -41,7 +41,10 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
 
 NeighbourList list_for(const RatesSetup& setup, double skin, bool with_wall_lists) {
     const double support = 2 * setup.model.smoothing_ratio * setup.particle_spacing;
-    return {setup.domain, setup.particle_spacing, support, skin, with_wall_lists, setup.model.periodic_x};
+    const DomainEnds ends = setup.model.mirror_x     ? DomainEnds::mirror_left
+                            : setup.model.periodic_x ? DomainEnds::periodic
+                                                     : DomainEnds::walls;
+    return {setup.domain, setup.particle_spacing, support, skin, with_wall_lists, ends};
 }
 
 }  // namespace
@@ -193,12 +196,17 @@ void Rates::body_loads(Flow& flow, double substep_weight, double remaining) {
     const auto gravity = [&](const RigidBody& body) -> Vec2 {
         return setup_.model.gravity + frame.at(body.position, body.velocity);
     };
+    const auto load = [&](std::size_t b) {
+        return setup_.model.mirror_x
+                   ? load_on_both_halves(flow, b, setup_.domain.low.x(), setup_.particle_spacing)
+                   : load_on(flow, b);
+    };
     PassInput in = pass_input(flow, substep_weight);
     if (substep_weight > 0) {
         in.loading = {true, false};
         passes_.body_forces(in);
         for (std::size_t b = 0; b < flow.bodies.size(); ++b)
-            flow.bodies[b].set_slow_load(load_on(flow, b), gravity(flow.bodies[b]));
+            flow.bodies[b].set_slow_load(load(b), gravity(flow.bodies[b]));
     }
     const bool has_air = flow.fluid.water < flow.fluid.size();
     if (has_air) {
@@ -210,7 +218,7 @@ void Rates::body_loads(Flow& flow, double substep_weight, double remaining) {
     for (std::size_t b = 0; b < flow.bodies.size(); ++b) {
         RigidBody& body = flow.bodies[b];
         body.set_restraint(remaining);
-        body.set_fast_load(has_air ? load_on(flow, b) : BodyLoad{}, gravity(body), flow.time,
+        body.set_fast_load(has_air ? load(b) : BodyLoad{}, gravity(body), flow.time,
                            frame.angular_acceleration);
     }
 }
@@ -297,8 +305,12 @@ double Rates::momentum_error(PassInput in, const Flow& flow) const {
     for (std::size_t n = 0; n < walls.size(); ++n) {
         const double x = walls.state[n].x;  // walls run on beyond the ends of a periodic domain
         const bool inside = x >= setup_.domain.low.x() && x < setup_.domain.high.x();
-        if (inside || !setup_.model.periodic_x) add({fx[n], fy[n]});
+        if (setup_.model.mirror_x)
+            add(share_of_half(x - setup_.domain.low.x(), setup_.particle_spacing) * Vec2(fx[n], fy[n]));
+        else if (inside || !setup_.model.periodic_x)
+            add({fx[n], fy[n]});
     }
+    if (setup_.model.mirror_x) sum.x() = 0;  // what the other half presses with
     return sizes > 0 ? sum.norm() / sizes : 0;
 }
 

@@ -58,6 +58,8 @@ struct Model {
 
     bool periodic_x = false;  ///< the domain's left and right end are joined; no bodies, no sponge
 
+    bool mirror_x = false;  ///< the domain's left end is a plane of symmetry of fluid and bodies
+
     double smoothing_ratio = 1.5;  ///< smoothing length / particle spacing
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
     double fixed_step = 0;         ///< size of every step [s], 0: the stable step, Eq. (26)

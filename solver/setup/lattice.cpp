@@ -52,7 +52,11 @@ void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_sp
     }
 }
 
-WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, bool periodic_x) {
+OpenEnds open_ends(const Model& model) {
+    return model.periodic_x ? OpenEnds::both : model.mirror_x ? OpenEnds::left : OpenEnds::none;
+}
+
+WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, OpenEnds open) {
     const Vec2 size = tank.high - tank.low;
     const Axis along_x = fit(size.x(), particle_spacing), along_y = fit(size.y(), particle_spacing);
     const int layers = boundary_layers(support_radius, particle_spacing);
@@ -65,12 +69,14 @@ WallParticles tank_walls(Box tank, double particle_spacing, double support_radiu
     };
     for (int column = -layers; column < along_x.count + layers; ++column) {
         for (int row = -layers; row < along_y.count + layers; ++row) {
-            const bool between_ends = (column >= 0 && column < along_x.count) || periodic_x;
+            const bool behind_open =
+                (column < 0 && open != OpenEnds::none) || (column >= along_x.count && open == OpenEnds::both);
+            const bool between_ends = (column >= 0 && column < along_x.count) || behind_open;
             if (between_ends && row >= 0 && row < along_y.count) continue;
             const Vec2 position(coordinate(column, along_x, tank.low.x()),
                                 coordinate(row, along_y, tank.low.y()));
             Vec2 nearest = position.cwiseMax(tank.low).cwiseMin(tank.high);
-            if (periodic_x) nearest.x() = position.x();
+            if (behind_open) nearest.x() = position.x();
             walls.add(position, (nearest - position).normalized());
         }
     }

@@ -2,6 +2,7 @@
 #include "solver/time/stability.hpp"
 
 #include <cstdio>
+#include <limits>
 
 namespace wetdeck {
 
@@ -18,7 +19,8 @@ StabilityBounds::StabilityBounds(const Model& model, Box domain, double margin)
     : reference_densities_{model.water.eos.reference_density, model.air.eos.reference_density},
       highest_speeds_{highest_mach_number * model.water.eos.sound_speed,
                       highest_mach_number * model.air.eos.sound_speed},
-      tank_(domain),
+      tank_{{model.mirror_x ? -std::numeric_limits<double>::infinity() : domain.low.x(), domain.low.y()},
+            domain.high},
       outer_{domain.low - Vec2::Constant(margin), domain.high + Vec2::Constant(margin)} {}
 
 Instability StabilityBounds::instability_of(const FluidParticles& fluid, std::size_t particle) const {

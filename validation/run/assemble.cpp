@@ -17,6 +17,7 @@
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
 #include "validation/run/recorders.hpp"
+#include "validation/scene/symmetry_section.hpp"
 #include "validation/scene/wet_bodies.hpp"
 #include "validation/store/environment.hpp"
 
@@ -89,7 +90,7 @@ FluidParticles fill(const Scene& scene, double particle_spacing) {
 
 WallParticles boundary(const Scene& scene, double particle_spacing) {
     const double support = 2 * scene.model.smoothing_ratio * particle_spacing;
-    WallParticles walls = tank_walls(scene.tank, particle_spacing, support);
+    WallParticles walls = tank_walls(scene.tank, particle_spacing, support, open_ends(scene.model));
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const BodySpec& spec = scene.bodies[b];
         try {
@@ -139,7 +140,8 @@ void set_velocities(const Scene& scene, FluidParticles& fluid) {
 
 }  // namespace
 
-Simulation assemble(const Scene& scene, double particle_spacing, int threads) {
+Simulation assemble(const Scene& whole, double particle_spacing, int threads) {
+    const Scene scene = whole.symmetry ? right_half(whole) : whole;
     const Model& model = scene.model;
     FluidParticles fluid = fill(scene, particle_spacing);
     set_initial_pressure(fluid, model, [&](Phase phase, Vec2 position) {
@@ -173,8 +175,9 @@ void check_spacing(const Scene& scene, double particle_spacing) {
             fmt::format("particle spacing {} m would make {:.2g} particles, expected at most {:.2g}",
                         particle_spacing, particles, most_particles));
     }
-    fill(scene, particle_spacing);
-    boundary(scene, particle_spacing);
+    const Scene computed = scene.symmetry ? right_half(scene) : scene;
+    fill(computed, particle_spacing);
+    boundary(computed, particle_spacing);
     Recorders(scene, particle_spacing);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace wetdeck {
 namespace {
@@ -42,7 +43,7 @@ class ContactMonitor {
         const std::vector<RigidBody>& bodies = simulation.bodies();
         const double spacing = simulation.particle_spacing();
         for (std::size_t b = 0; b < hulls_.size(); ++b) {
-            std::optional<Touch> touch = with_tank(hulls_[b], bodies[b], simulation.domain(), spacing);
+            std::optional<Touch> touch = with_tank(hulls_[b], bodies[b], walled(simulation), spacing);
             for (std::size_t other = 0; other < b && !touch; ++other)
                 touch = with_body(b, other, bodies, spacing);
             if (!touch) continue;
@@ -75,6 +76,13 @@ class ContactMonitor {
         Outline outline;
         for (const Vec2& corner : hull.frame) outline.push_back(body.placed(corner));
         return outline;
+    }
+
+    /// The tank as far as it has walls: beyond a plane of symmetry a body goes on.
+    static Box walled(const Simulation& simulation) {
+        Box tank = simulation.domain();
+        if (simulation.model().mirror_x) tank.low.x() = -std::numeric_limits<double>::infinity();
+        return tank;
     }
 
     std::optional<Touch> with_tank(const Hull& hull, const RigidBody& body, const Box& tank,

@@ -25,6 +25,16 @@ std::vector<double> mean_slopes(const Curve& curve, double width) {
     return slopes;
 }
 
+/// What a balance of one half says of a symmetric whole.
+Balance of_both_halves(Balance half) {
+    half.kinetic *= 2;
+    half.potential *= 2;
+    half.compression *= 2;
+    half.mass *= 2;
+    half.momentum = {0, 2 * half.momentum.y()};
+    return half;
+}
+
 }  // namespace
 
 Recorders::Recorders(const Scene& scene, double particle_spacing)
@@ -52,7 +62,8 @@ void Recorders::sample(const Simulation& simulation, std::size_t number, std::ve
         const BodyNow now{simulation, simulation.bodies()[body], outlines_[body], water_, surface_};
         for (const BodySeries& each : recorded_body_series()) values.push_back(each.value(now));
     }
-    const Balance fluid = balance(simulation);
+    const Balance fluid =
+        simulation.model().mirror_x ? of_both_halves(balance(simulation)) : balance(simulation);
     for (const FluidSeries& each : every_run_series()) {
         const bool due = number % each.samples_between == 0;
         values.push_back(due ? each.value(simulation, fluid) : last.at(values.size()));

@@ -78,6 +78,7 @@ json setup_json(const Scene& scene) {
                   {"sample_interval", scene.sample_interval},
                   {"force_filter", scene.force_filter},
                   {"frame_times", scene.frame_times}};
+    if (scene.symmetry) setup["symmetry"] = *scene.symmetry;
     if (!scene.tank_guide.empty()) setup["tank_motion"] = scene.tank_guide;
     if (!scene.water_velocities.empty()) {
         setup["water_velocities"] = json::array();

@@ -16,6 +16,7 @@
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/schemes.hpp"
 #include "validation/scene/sections.hpp"
+#include "validation/scene/symmetry_section.hpp"
 #include "validation/scene/toml_reader.hpp"
 #include "validation/store/whole_file.hpp"
 
@@ -272,6 +273,7 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     read_initial(root, scene);
     read_tiers(root, scene);
     read_probes(root, scene);
+    read_symmetry(root, scene);
     read_analysis(root, scene);
     root.finish();
     scene.resolved = document.resolved();
@@ -334,8 +336,9 @@ CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
     };
     CostEstimate cost;
     const double volume = particle_spacing * particle_spacing;
-    const double water = area(scene.water_boxes) / volume,
-                 air = scene.air ? area(scene.air_boxes) / volume : 0;
+    const double computed = scene.symmetry ? 0.5 : 1;
+    const double water = computed * area(scene.water_boxes) / volume,
+                 air = scene.air ? computed * area(scene.air_boxes) / volume : 0;
     cost.fluid_particles = water + air;
     // speeds scale with the water's sound speed, which is set to ten times the fastest water
     const double fastest = 0.15 * scene.model.water.eos.sound_speed;

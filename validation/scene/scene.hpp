@@ -77,7 +77,8 @@ struct Scene {
     std::string source_scheme;  ///< the scheme of the scene's source, or empty
     Box tank;
     MovingFrame tank_motion;
-    std::string tank_guide;  ///< the motion of the tank as the file gives it; empty: it is at rest
+    std::optional<double> symmetry;  ///< x of the plane: the half to the right of it is computed [m]
+    std::string tank_guide;          ///< the motion of the tank as the file gives it; empty: it is at rest
     AcceptedDoubts accepted;
     std::vector<Box> water_boxes, air_boxes;
     std::vector<Vec2> water_velocities;  ///< of the water boxes at the start [m/s]; empty: at rest

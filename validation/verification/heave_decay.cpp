@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "solver/setup/initial_pressure.hpp"
-#include "validation/verification/boundary_elements.hpp"
+#include "validation/verification/linear_tank.hpp"
 #include "validation/verification/problems.hpp"
 #include "validation/verification/setups.hpp"
 
@@ -19,76 +19,6 @@ constexpr double lift = 0.2 * draught;
 constexpr double body_mass = water_density * beam * draught;
 /// The lifted pontoon leaves room that the water fills when it comes down: the level at which both rest.
 constexpr double rest = lift * beam / width;
-
-/// Linear theory in this very tank: surface elevation e and potential f on the surface at rest, height y of
-/// the pontoon above its place at the level of the start. Slopes of the potential are linear in f and y', and
-/// so is its change on the pontoon in f' = -g e and y''; what y'' adds there is the added mass.
-class LinearTank {
-  public:
-    /// @param cells  panels over the draught
-    explicit LinearTank(int cells) {
-        const double panel = draught / cells, left = 0.5 * (width - beam), right = left + beam;
-        const auto count = [&](double length) { return static_cast<int>(std::lround(length / panel)); };
-        std::vector<Panel> panels;
-        append_panels(panels, {width, depth}, {right, depth}, count(width - right));
-        append_panels(panels, {left, depth}, {0, depth}, count(left));
-        const auto surface = static_cast<Eigen::Index>(panels.size());
-        const double keel = depth - draught;
-        append_panels(panels, {right, depth}, {right, keel}, cells);
-        append_panels(panels, {right, keel}, {left, keel}, count(beam));
-        append_panels(panels, {left, keel}, {left, depth}, cells);
-        const auto wet = static_cast<Eigen::Index>(panels.size()) - surface;
-        append_panels(panels, {0, depth}, {0, 0}, count(depth) / 2);
-        append_panels(panels, {0, 0}, {width, 0}, count(width) / 2);
-        append_panels(panels, {width, 0}, {width, depth}, count(depth) / 2);
-        const Eigen::MatrixXd solution = mixed_solution(panels, surface);
-        Eigen::VectorXd lift_of(wet), length_lift(wet);  // share of the heave that is normal to a panel
-        for (Eigen::Index k = 0; k < wet; ++k) {
-            const Panel& p = panels[static_cast<std::size_t>(surface + k)];
-            lift_of[k] = p.normal().y();
-            length_lift[k] = p.normal().y() * p.length();
-        }
-        slope_of_potential_ = solution.topLeftCorner(surface, surface);
-        slope_of_heave_ = solution.block(0, surface, surface, wet) * lift_of;
-        force_of_potential_ =
-            water_density * length_lift.transpose() * solution.block(surface, 0, wet, surface);
-        added_mass = water_density * length_lift.dot(solution.block(surface, surface, wet, wet) * lift_of);
-    }
-
-    /// Height over time from the release on, by the classical Runge-Kutta scheme.
-    Curve release(double end) const {
-        const Eigen::Index n = slope_of_heave_.size();
-        Eigen::VectorXd state = Eigen::VectorXd::Zero(2 * n + 2);  // e, f, y, y'
-        state[2 * n] = lift;
-        const auto rates = [&](const Eigen::VectorXd& z) {
-            Eigen::VectorXd rate(2 * n + 2);
-            rate.head(n) = slope_of_potential_ * z.segment(n, n) + slope_of_heave_ * z[2 * n + 1];
-            rate.segment(n, n) = -gravity * z.head(n);
-            rate[2 * n] = z[2 * n + 1];
-            const double restoring = water_density * gravity * beam * z[2 * n];
-            rate[2 * n + 1] =
-                (gravity * force_of_potential_.dot(z.head(n)) - restoring) / (body_mass + added_mass);
-            return rate;
-        };
-        constexpr double step = 0.004;  // the shortest waves, two panels long, turn by less than one
-        Curve height{{0}, {lift}};
-        for (int k = 1; k * step <= end; ++k) {
-            const Eigen::VectorXd a = rates(state), b = rates(state + 0.5 * step * a),
-                                  c = rates(state + 0.5 * step * b), d = rates(state + step * c);
-            state += step / 6 * (a + 2 * b + 2 * c + d);
-            height.x.push_back(k * step);
-            height.y.push_back(state[2 * n]);
-        }
-        return height;
-    }
-
-    double added_mass = 0;  ///< of infinitely fast heave [kg/m]
-
-  private:
-    Eigen::MatrixXd slope_of_potential_;
-    Eigen::VectorXd slope_of_heave_;
-    Eigen::RowVectorXd force_of_potential_;
-};
 
 /// Over one period, from the first passage through the rest position to the third.
 struct Oscillation {
@@ -131,9 +61,15 @@ Simulation basin(double dx) {
     return setup.simulate();
 }
 
+/// The pontoon at the level of the start, heaving.
+LinearTank linear_tank(int cells) {
+    return LinearTank({depth, width, gravity, water_density}, {beam, draught}, {Mode::heave, body_mass},
+                      cells);
+}
+
 void run(Findings& findings) {
-    const LinearTank theory(20);
-    const Curve exact = theory.release(3);
+    const LinearTank theory = linear_tank(20);
+    const Curve exact = theory.release(lift, 3);
     const Oscillation expected(exact);
     VerificationFigure figure{"Heave of a pontoon let go above its rest",
                               "time over the period",
@@ -176,14 +112,14 @@ void run(Findings& findings) {
         figure.computed.push_back({"dx = " + std::to_string(dx).substr(0, 5) + " m", normal(height)});
     }
     findings.figure(std::move(figure));
-    const LinearTank coarse(10);
-    const Oscillation other(coarse.release(3));
+    const LinearTank coarse = linear_tank(10);
+    const Oscillation other(coarse.release(lift, 3));
     char text[300];
     std::snprintf(text, sizeof text,
                   "Theory: period %.4f s, logarithmic decrement %.4f over half a period, added mass of fast "
                   "heave %.3f of the pontoon's; with panels twice as long %.4f s, %.4f, %.3f.",
-                  period, expected.decrement, theory.added_mass / body_mass, 2 * pi / other.frequency,
-                  other.decrement, coarse.added_mass / body_mass);
+                  period, expected.decrement, theory.added_inertia / body_mass, 2 * pi / other.frequency,
+                  other.decrement, coarse.added_inertia / body_mass);
     findings.note(text);
 }
 

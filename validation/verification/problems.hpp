@@ -27,6 +27,9 @@ Problem released_column();
 Problem free_flight();
 Problem floating_body();
 Problem heave_decay();
+Problem roll_decay();
+Problem oscillating_cylinder();
+Problem moving_tank();
 
 const std::vector<Problem>& all_problems();
 

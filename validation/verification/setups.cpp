@@ -29,7 +29,7 @@ Setup::Setup(const Model& model_, Box domain_, double particle_spacing_, bool wi
     execution.instruction_set = instruction_set_from_environment();
     if (with_walls)
         walls = tank_walls(domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing,
-                           model.periodic_x);
+                           open_ends(model));
 }
 
 void Setup::fill(Phase phase, Box box) {
@@ -54,11 +54,21 @@ void Setup::spin_water(double rotation) {
 
 void Setup::put(const RigidBody& body, const Outline& outline) {
     Outline placed = outline;
-    for (Vec2& corner : placed) corner += body.position;
+    for (Vec2& corner : placed) corner = body.placed(corner);
     clear_fluid(fluid, placed, particle_spacing);
     add_body_particles(walls, static_cast<std::uint32_t>(bodies.size()), outline, Vec2::Zero(),
                        particle_spacing, 2 * model.smoothing_ratio * particle_spacing);
     bodies.push_back(body);
+}
+
+void Setup::put_solid(const Outline& outline) {
+    RigidBody solid;
+    solid.free = {false, false, false};
+    solid.position = area_moments(outline).centroid;
+    clear_fluid(fluid, outline, particle_spacing);
+    add_solid_particles(walls, static_cast<std::uint32_t>(bodies.size()), outline, solid.position,
+                        particle_spacing, 2 * model.smoothing_ratio * particle_spacing, domain);
+    bodies.push_back(solid);
 }
 
 void shake(Setup& setup, double share, std::uint64_t seed) {

@@ -34,9 +34,11 @@ struct Setup : SimulationSetup {
     void fill_around(Phase phase, Box box);
     /// Sets the water turning about the origin as a rigid body [1/s].
     void spin_water(double rotation);
-    /// Puts a body where its position says, unturned, and takes away the fluid there. The outline is about
-    /// its mass centre.
+    /// Puts a body where its position and angle say and takes away the fluid there. The outline is about its
+    /// mass centre.
     void put(const RigidBody& body, const Outline& outline);
+    /// Puts a solid that is fixed in the tank, whose faces it may touch, and takes away the fluid there.
+    void put_solid(const Outline& outline);
     Simulation simulate() const { return Simulation(*this); }
 };
 

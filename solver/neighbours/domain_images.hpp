@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fluid near either end of a domain that is periodic along x, once more beyond the other end. Images are
-// neighbours like any other particle and owners of nothing: they are copies of their sources, made anew
-// before each pass.
+// Fluid near the ends of a domain, once more beyond them: of a domain that is periodic along x, shifted to
+// the other end; of one whose left end is a plane of symmetry, reflected there. Images are neighbours like
+// any other particle and owners of nothing: they are copies of their sources, made anew before each pass.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,25 @@
 
 namespace wetdeck {
 
-class PeriodicImages {
+/// What is beyond the left and the right end of a domain.
+enum class DomainEnds { walls, periodic, mirror_left };
+
+class DomainImages {
   public:
     struct Image {
         std::uint32_t source;
-        double shift;  ///< of x [m]
+        double sign;   ///< of x and of the velocity along it: -1 for a reflection
+        double shift;  ///< of x, after the sign [m]
+
+        Vec2 place(Vec2 at) const { return {sign * at.x() + shift, at.y()}; }
+        Vec2 turn(Vec2 vector) const { return {sign * vector.x(), vector.y()}; }
     };
 
     /// @param depth  how far beyond the ends images are needed [m]. Throws InputError for a domain that is
     /// narrower: a particle would need several at one end.
-    PeriodicImages(Box domain, double depth);
+    DomainImages(DomainEnds ends, Box domain, double depth);
 
-    /// Takes particles that have left at one end in at the other.
+    /// Takes particles that have left at one end in at the other, or back from behind the plane.
     void wrap(FluidParticles& fluid) const;
 
     /// Chooses the images that the fluid needs where it stands, in the order of their sources.
@@ -35,6 +42,7 @@ class PeriodicImages {
     const FluidState* appended_to(const FluidParticles& fluid) const;
 
   private:
+    bool mirrors_;
     double low_, high_, depth_;
     std::vector<Image> images_, reordered_;
     mutable std::vector<FluidState> all_;  ///< scratch of appended_to
