@@ -52,6 +52,7 @@ class HeeledWedgeMap {
     const HeeledSurface& surface(int side) const { return surfaces_[static_cast<std::size_t>(side)]; }
     const HeeledMapParameters& parameters() const { return parameters_; }
     double step() const { return step_; }
+    double far_distance() const { return 1 + r_(r_.size() - 1); }  ///< |zeta| of the last node of a surface
     HeeledFace face(int side) const;
 
     /// Free surfaces of another map to begin with; its step may be another one.
