@@ -34,7 +34,7 @@ constexpr double coarse_step = 0.2, fine_step = 0.1;
 constexpr double condition_error = 2e-9;
 constexpr int most_iterations = 25;
 constexpr double smallest_advance = 1.0 / 64;  // of the way from the symmetric wedge
-constexpr double largest_suction_share = 0.01;
+constexpr double largest_suction_share = 0.02;
 constexpr double loaded_share = 0.99;
 
 std::array<double, 2> deadrise_of(const HeeledWedgeEntry& entry) {
@@ -145,9 +145,11 @@ void add_face(HeeledWedgeFace& result, const HeeledFaceFlow& flow, double contac
     result.peak_pressure = 2 * p.maxCoeff(&peak);
     const ArrayXd distance = flow.wetted_length - flow.length;
     result.peak_distance = std::max(0.0, distance(peak));
-    if (peak > 0 && peak + 1 < p.size() && flow.relative_velocity(peak - 1) * flow.relative_velocity(peak + 1) < 0) {
+    if (peak > 0 && peak + 1 < p.size() &&
+        flow.relative_velocity(peak - 1) * flow.relative_velocity(peak + 1) < 0) {
         // q changes its sign between two nodes.
-        const Index next = flow.relative_velocity(peak) * flow.relative_velocity(peak + 1) < 0 ? peak + 1 : peak - 1;
+        const Index next =
+            flow.relative_velocity(peak) * flow.relative_velocity(peak + 1) < 0 ? peak + 1 : peak - 1;
         const double here = flow.relative_velocity(peak), there = flow.relative_velocity(next);
         result.peak_distance = std::lerp(distance(peak), distance(next), here / (here - there));
     }
@@ -158,7 +160,7 @@ void add_face(HeeledWedgeFace& result, const HeeledFaceFlow& flow, double contac
     }
     for (Index j = p.size() - 1; j > peak && p(j) < 0; --j) {
         result.suction_force += load(j);
-        result.suction_length = distance(j);
+        result.suction_length = std::max(0.0, distance(j));
     }
     const double spacing = 1e-4 * flow.wetted_length;  // the nodes crowd at apex and tip
     double last = 0;
@@ -185,15 +187,18 @@ HeeledWedge evaluate(const HeeledWedgeEntry& entry, const HeeledWedgeMap& map) {
         face.tip_z = face.wetted_length * std::sin(deadrise[k]) - 1;
         wedge.force_x -= outwards * face.normal_force * std::sin(deadrise[k]);
         wedge.force_y += face.normal_force * std::cos(deadrise[k]);
-        wedge.moment += outwards * flow[k].step *
-                        (flow[k].pressure * flow[k].length_rate * (flow[k].wetted_length - flow[k].length)).sum();
+        wedge.moment +=
+            outwards * flow[k].step *
+            (flow[k].pressure * flow[k].length_rate * (flow[k].wetted_length - flow[k].length)).sum();
     }
-    wedge.suction_share = -(wedge.left.suction_force + wedge.right.suction_force) /
-                          (wedge.left.normal_force + wedge.right.normal_force);
+    for (const HeeledWedgeFace& face : {wedge.left, wedge.right}) {
+        wedge.suction_share = std::max(wedge.suction_share, -face.suction_force / face.normal_force);
+    }
     const HeeledMomentumLoads loads = heeled_momentum_loads(map, deadrise, flow);
     wedge.momentum_force_x = loads.force_x;
     wedge.momentum_force_y = loads.force_y;
-    wedge.momentum_moment = loads.moment - (entry.horizontal * loads.force_y + loads.force_x);  // apex at z = -1
+    wedge.momentum_moment =
+        loads.moment - (entry.horizontal * loads.force_y + loads.force_x);  // apex at z = -1
     wedge.potential_jump = flow[1].relative_potential - flow[0].relative_potential;
     return wedge;
 }
@@ -203,10 +208,12 @@ void check(const HeeledWedgeEntry& entry) {
         const double degrees = deadrise * 180 / pi;
         if (!(degrees > 7.999 && degrees < 70.001)) {
             throw InputError(fmt::format(
-                "face of {:.6g} degrees to the level, the solution of a heeled wedge covers 8 to 70", degrees));
+                "face of {:.6g} degrees to the level, the solution of a heeled wedge covers 8 to 70",
+                degrees));
         }
     }
-    if (!std::isfinite(entry.horizontal)) throw InputError("horizontal velocity of a heeled wedge is not finite");
+    if (!std::isfinite(entry.horizontal))
+        throw InputError("horizontal velocity of a heeled wedge is not finite");
 }
 
 std::string name_of(const HeeledWedgeEntry& entry) {
@@ -228,13 +235,15 @@ HeeledWedge heeled_wedge(const HeeledWedgeEntry& entry) {
         finer.solve(numbers);
         fine = evaluate(entry, finer.map());
     } catch (const std::runtime_error& error) {
-        throw InputError(fmt::format("{}: no flow attached to both faces was found ({})", name_of(entry), error.what()));
+        throw InputError(
+            fmt::format("{}: no flow attached to both faces was found ({})", name_of(entry), error.what()));
     }
     if (!(fine->suction_share <= largest_suction_share)) {
-        throw InputError(fmt::format(
-            "{}: the suction of the flow around the apex would bear {:.2g} of the force, more than {:.2g}; the water "
-            "separates there, which the attached flow does not describe",
-            name_of(entry), fine->suction_share, largest_suction_share));
+        throw InputError(
+            fmt::format("{}: the suction of the flow around the apex would bear {:.2g} of the force, more "
+                        "than {:.2g}; the water "
+                        "separates there, which the attached flow does not describe",
+                        name_of(entry), fine->suction_share, largest_suction_share));
     }
     const auto peak = [](const HeeledWedge& wedge) {
         return std::max(wedge.left.peak_pressure, wedge.right.peak_pressure);

@@ -37,13 +37,15 @@ double integral(const Line& line, const Function& f) {
     return line.length / 6 * (at(0) + 4 * at(line.length / 2) + at(line.length));
 }
 
-double depth_of_apex(const HeeledWedgeMap& map, const std::array<double, 2>& deadrise, double length, int side) {
+double depth_of_apex(const HeeledWedgeMap& map, const std::array<double, 2>& deadrise, double length,
+                     int side) {
     return map.surface(side).outer_z + length * std::sin(deadrise[static_cast<std::size_t>(side)]);
 }
 
 }  // namespace
 
-std::array<HeeledFaceFlow, 2> heeled_face_flows(const HeeledWedgeMap& map, const std::array<double, 2>& deadrise) {
+std::array<HeeledFaceFlow, 2> heeled_face_flows(const HeeledWedgeMap& map,
+                                                const std::array<double, 2>& deadrise) {
     const std::array<HeeledFace, 2> faces{map.face(0), map.face(1)};
     const double strength = std::sqrt(map.surface(0).strength * map.surface(1).strength), h = map.step();
     const double unit = (depth_of_apex(map, deadrise, faces[0].length, 0) +
@@ -59,7 +61,8 @@ std::array<HeeledFaceFlow, 2> heeled_face_flows(const HeeledWedgeMap& map, const
         const ArrayXd velocity_rate = strength / unit * faces[k].velocity_rate;
         flow.length = running_integral(flow.length_rate, h, flow.length_rate(0) / power);
         flow.wetted_length = faces[k].length / unit;
-        flow.relative_velocity = flow.length - running_integral(velocity_rate, h, velocity_rate(0) / (0.5 - power));
+        flow.relative_velocity =
+            flow.length - running_integral(velocity_rate, h, velocity_rate(0) / (0.5 - power));
         flow.relative_integral = running_integral(flow.relative_velocity * flow.length_rate, h,
                                                   0.5 * flow.length(0) * flow.length(0));
         flow.pressure = flow.relative_integral - 0.5 * flow.relative_velocity.square();

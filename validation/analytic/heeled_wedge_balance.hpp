@@ -11,12 +11,12 @@ namespace wetdeck {
 
 /// Along a face from the tip to the apex, in units of rho, V and V t.
 struct HeeledFaceFlow {
-    double step = 0;                    ///< of the grid
-    Eigen::ArrayXd length_rate;         ///< d(length)/d(node coordinate)
-    Eigen::ArrayXd length;              ///< from the tip
-    Eigen::ArrayXd relative_velocity;   ///< U - z, positive towards the tip
-    Eigen::ArrayXd relative_integral;   ///< of the relative velocity over the length, from the tip
-    Eigen::ArrayXd pressure;            ///< over rho V^2
+    double step = 0;                   ///< of the grid
+    Eigen::ArrayXd length_rate;        ///< d(length)/d(node coordinate)
+    Eigen::ArrayXd length;             ///< from the tip
+    Eigen::ArrayXd relative_velocity;  ///< U - z, positive towards the tip
+    Eigen::ArrayXd relative_integral;  ///< of the relative velocity over the length, from the tip
+    Eigen::ArrayXd pressure;           ///< over rho V^2
     double wetted_length = 0;
     double relative_potential = 0;  ///< relative_integral at the apex
 };
@@ -27,7 +27,8 @@ struct HeeledMomentumLoads {
     double moment = 0;  ///< about the point of first contact, counterclockwise positive
 };
 
-std::array<HeeledFaceFlow, 2> heeled_face_flows(const HeeledWedgeMap& map, const std::array<double, 2>& deadrise);
+std::array<HeeledFaceFlow, 2> heeled_face_flows(const HeeledWedgeMap& map,
+                                                const std::array<double, 2>& deadrise);
 
 /// Rate of change of momentum and angular momentum of the water inside a large half circle.
 HeeledMomentumLoads heeled_momentum_loads(const HeeledWedgeMap& map, const std::array<double, 2>& deadrise,

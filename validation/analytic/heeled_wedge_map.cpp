@@ -4,9 +4,9 @@
 // The flow, in lengths over V t, is the image of the lower half of a plane zeta; -1 and 1 are the tips of the
 // jets, a is the apex, the faces lie between, the free surfaces outside. As for the symmetric wedge
 // (wedge_similarity.cpp) the acceleration is tangential on a face, whose particles keep their velocity normal
-// to it, and normal on the free surface, whose pressure is constant. So w'' z_zeta^2 (w: complex potential) is
-// real on the faces and imaginary on the free surfaces, which with its behaviour at the tips and at infinity
-// (dipole) leaves
+// to it, and normal on the free surface, whose pressure is constant. So w'' z_zeta^2 (w: complex potential)
+// is real on the faces and imaginary on the free surfaces, which with its behaviour at the tips and at
+// infinity (dipole) leaves
 //     w'' z_zeta^2 = K (zeta - c)/(zeta - a) (1 - zeta^2)^(-3/2).
 // The pole is the flow around the apex: the relative velocity behaves as rho^(pi/gamma - 1) at the distance
 // rho, gamma > pi being the angle of the fluid there. c = a is the flow that divides at the apex; the
@@ -79,8 +79,8 @@ ArrayXd HeeledWedgeMap::update(int side) {
     const ArrayXd fixed = (1 - deadrise_[own] / pi) * l_ +
                           (parameters_.contact_angle[other] / pi - 1) * (2 + r_).log() +
                           (deadrise_[0] + deadrise_[1]) / pi * (1 - apex + r_).log();
-    const ArrayXd curved = kernel_.convolve(surface.turn_rate) +
-                           (across_ * surfaces_[other].turn_rate.matrix()).array();
+    const ArrayXd curved =
+        kernel_.convolve(surface.turn_rate) + (across_ * surfaces_[other].turn_rate.matrix()).array();
     surface.length_rate = (fixed + curved / pi).exp();
     surface.length = running_integral(surface.length_rate, step_,
                                       surface.length_rate(0) * pi / parameters_.contact_angle[own]);

@@ -15,16 +15,16 @@ constexpr std::array<int, 2> both_sides{0, 1};
 
 /// The four numbers that the map has besides the shape of its free surfaces.
 struct HeeledMapParameters {
-    double apex = 0;                       ///< image of the apex, between the tips at -1 and 1
-    double still = 0;                      ///< where the acceleration vanishes, between the tips
+    double apex = 0;                        ///< image of the apex, between the tips at -1 and 1
+    double still = 0;                       ///< where the acceleration vanishes, between the tips
     std::array<double, 2> contact_angle{};  ///< rad
 };
 
 /// One free surface, from the tip of the jet outwards; index: node in log r, r the distance from the tip in
 /// the plane of the map.
 struct HeeledSurface {
-    Eigen::ArrayXd turn_rate;  ///< d(delta)/d(log r)
-    Eigen::ArrayXd length;     ///< s, from the tip
+    Eigen::ArrayXd turn_rate;    ///< d(delta)/d(log r)
+    Eigen::ArrayXd length;       ///< s, from the tip
     Eigen::ArrayXd length_rate;  ///< ds/d(log r)
     Eigen::ArrayXd slope;        ///< delta, 0 far out, in the frame of the side
     double strength = 0;         ///< K that gives the surface its total turn
