@@ -9,13 +9,14 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <optional>
 #include <sstream>
 #include <string_view>
 
 #include "solver/core/errors.hpp"
+#include "validation/analytic/curve_header.hpp"
+#include "validation/analytic/heeled_wedge_curves.hpp"
 #include "validation/analytic/wedge_free_fall.hpp"
 #include "validation/analytic/wedge_similarity.hpp"
 
@@ -25,7 +26,7 @@ namespace {
 constexpr std::string_view prefix = "analytic:";
 constexpr int rows = 400;  // of a curve over time
 
-using Values = std::map<std::string, double>;
+using Values = CurveValues;
 
 struct Parameter {
     const char* name;
@@ -37,18 +38,7 @@ struct Definition {
     AnalyticCurveInfo info;
     std::vector<Parameter> parameters;
     std::string (*text)(const Values&);
-};
-
-/// What the header says beyond what all analytic curves have in common.
-struct Header {
-    const char* citation;
-    const char* doi;
-    std::string method;
-    const char* u_data;
-    const char* u_data_source;
-    const char* sign;
-    const char* time_origin;
-    std::string note;
+    void (*check)(const Values&) = nullptr;  ///< of values that depend on each other; throws InputError
 };
 
 constexpr const char* dobrovolskaya =
@@ -60,18 +50,6 @@ constexpr const char* numerical_error =
     "numerical error of force and pressure, seen between step widths and against an independent solution "
     "from 10 to 70 "
     "degrees; says nothing of gravity, air or three dimensions";
-
-std::string header_text(const Header& header, const char* columns) {
-    return fmt::format(
-        "# kind: analytic\n# citation: {}\n# doi: {}\n# figure: none\n# obtained: computed\n# obtained_from: "
-        "{}\n"
-        "# date: 2026-11-22\n# digitisation_error: none (computed when the comparison is made)\n# u_data: "
-        "{}\n"
-        "# u_data_source: {}\n# sensor: none\n# filter: none\n# sign: {}\n# time_origin: {}\n# note: "
-        "{}\n{}\n",
-        header.citation, header.doi, header.method, header.u_data, header.u_data_source, header.sign,
-        header.time_origin, header.note, columns);
-}
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
@@ -87,7 +65,7 @@ std::string solution_of(const Values& values) {
 
 std::string similarity_pressure(const Values& values) {
     const WedgeSimilarity wedge = wedge_similarity(radians(values.at("deadrise")));
-    std::string text = header_text(
+    std::string text = curve_header_text(
         {dobrovolskaya, dobrovolskaya_doi, solution_of(values), "0.001", numerical_error,
          "z up from the undisturbed level, apex at -1; Cp = p/(rho V^2/2), gauge", "contact of the apex",
          fmt::format("Constant speed, no gravity, until the spray root (z = {:.4g}) leaves the face",
@@ -101,7 +79,7 @@ std::string similarity_pressure(const Values& values) {
 
 std::string similarity_surface(const Values& values) {
     const WedgeSimilarity wedge = wedge_similarity(radians(values.at("deadrise")));
-    std::string text = header_text(
+    std::string text = curve_header_text(
         {dobrovolskaya, dobrovolskaya_doi, solution_of(values), "0.001", numerical_error,
          "x from the axis, z up from the undisturbed level, apex of the wedge at -1", "contact of the apex",
          "Lengths over V t; s is the arc length from the tip of the jet, the surface overhangs there"},
@@ -125,7 +103,7 @@ std::string constant_speed_force(const Values& values) {
     const double end = chine_wetting_penetration(wedge, values.at("beam") / 2) / speed;
     const double rate = wedge.force_coefficient * density * std::pow(speed, 3);
     const double lift = density * values.at("gravity") * speed * speed / std::tan(wedge.deadrise);
-    std::string text = header_text(
+    std::string text = curve_header_text(
         {dobrovolskaya, dobrovolskaya_doi,
          fmt::format("F = {:.6g} rho V^3 t, {}", wedge.force_coefficient, solution_of(values)), "0.001",
          numerical_error, "upward positive, both faces, per metre", "contact of the apex",
@@ -146,7 +124,7 @@ std::string free_fall(const Values& values) {
                             values.at("density")};
     const double depth = chine_wetting_penetration(wedge, values.at("beam") / 2);
     const WedgeFall history = wedge_free_fall(wedge, fall, depth, depth / fall.speed / rows);
-    std::string text = header_text(
+    std::string text = curve_header_text(
         {"Momentum balance of a falling wedge with the coefficients of Dobrovolskaya, Z.N. (1969), Journal "
          "of Fluid "
          "Mechanics 36, 805-829",
@@ -175,6 +153,7 @@ const std::vector<Definition>& definitions() {
     static const Parameter deadrise{"deadrise", 8, 70, {}};
     static const Parameter beam{"beam", tiny, any, {}}, speed{"speed", tiny, any, {}},
         mass{"mass", tiny, any, {}};
+    static const Parameter heel{"heel", -62, 62, {}}, horizontal{"horizontal", -10, 10, 0};
     static const Parameter gravity{"gravity", 0, any, 9.81}, density{"density", tiny, any, 1000};
     static const std::vector<Definition> all{
         {{"wedge_pressure", "deadrise", "pressure coefficient along the face of a wedge at constant speed"},
@@ -190,7 +169,17 @@ const std::vector<Definition>& definitions() {
         {{"wedge_free_fall", "deadrise speed beam mass [gravity=9.81] [density=1000]",
           "velocity and force of a wedge in free fall until its chines are wet"},
          {deadrise, speed, beam, mass, gravity, density},
-         free_fall}};
+         free_fall},
+        {{"heeled_wedge_pressure", "deadrise heel [horizontal=0]",
+          "pressure coefficient along both faces of a heeled wedge at constant velocity"},
+         {deadrise, heel, horizontal},
+         heeled_wedge_pressure_text,
+         check_heeled_wedge},
+        {{"heeled_wedge_force", "deadrise heel speed beam [horizontal=0] [gravity=9.81] [density=1000]",
+          "force and moment on a heeled wedge at constant velocity until a chine is wet"},
+         {deadrise, heel, speed, beam, horizontal, gravity, density},
+         heeled_wedge_force_text,
+         check_heeled_wedge}};
     return all;
 }
 
@@ -249,6 +238,13 @@ Request read_request(const std::string& reference) {
         if (!request.values.contains(parameter.name)) {
             refuse(reference, fmt::format("missing parameter '{}', expected {}", parameter.name,
                                           request.definition->info.parameters));
+        }
+    }
+    if (request.definition->check != nullptr) {
+        try {
+            request.definition->check(request.values);
+        } catch (const InputError& error) {
+            refuse(reference, error.what());
         }
     }
     return request;

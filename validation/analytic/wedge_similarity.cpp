@@ -15,7 +15,7 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,6 +23,7 @@
 #include <utility>
 
 #include "solver/core/errors.hpp"
+#include "validation/analytic/anderson_mixing.hpp"
 #include "validation/analytic/log_grid.hpp"
 
 namespace wetdeck {
@@ -40,34 +41,6 @@ constexpr double equation_error = 1e-11;  // of log g; at this step the discreti
 constexpr int most_iterations = 300;
 constexpr double farthest_surface = 20;  // from the tip, of the points handed out, over V t
 
-/// Anderson's acceleration of the iteration x -> x + f(x): the step that cancels most of f among the last
-/// few.
-class Mixing {
-  public:
-    ArrayXd next(const ArrayXd& x, const ArrayXd& f) {
-        if (x_.size() > 0) {
-            const Index column = count_++ % depth;
-            dx_.conservativeResize(x.size(), std::min(count_, depth));
-            df_.conservativeResize(x.size(), std::min(count_, depth));
-            dx_.col(column) = x - x_;
-            df_.col(column) = f - f_;
-        }
-        x_ = x;
-        f_ = f;
-        const ArrayXd plain = x + relaxation * f;
-        if (count_ == 0) return plain;
-        const Eigen::VectorXd weights = df_.colPivHouseholderQr().solve(f.matrix());
-        return plain - ((dx_ + relaxation * df_) * weights).array();
-    }
-
-  private:
-    static constexpr Index depth = 6;
-    static constexpr double relaxation = 0.5;
-    Index count_ = 0;
-    ArrayXd x_, f_;
-    Eigen::MatrixXd dx_, df_;
-};
-
 /// The free surface for a given contact angle, found by iteration, and what the far field says of the angle.
 class FreeSurface {
   public:
@@ -82,7 +55,7 @@ class FreeSurface {
         mu_ = contact_angle;
         const double turn = pi - beta_ - mu_;
         const ArrayXd straight = (1 - beta_ / pi) * l_ + (beta_ / pi - 0.5) * (1 + r_).log();
-        Mixing mixing;
+        AndersonMixing mixing;
         for (int iteration = 0;; ++iteration) {
             g_ *= turn / (g_.sum() * step);
             s_l_ = (straight + kernel_.convolve(g_) / pi).exp();
