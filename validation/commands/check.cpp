@@ -11,6 +11,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
+#include "validation/commands/sketch.hpp"
 #include "validation/metrics/reference_check.hpp"
 #include "validation/metrics/reference_use.hpp"
 #include "validation/run/assemble.hpp"
@@ -28,6 +29,7 @@ using nlohmann::json;
 
 struct CheckOptions {
     std::string file;
+    std::string sketch;  ///< where to draw the scene, or empty
     bool strict = false, json = false;
 };
 
@@ -151,6 +153,15 @@ void print_json(const std::string& file, bool valid, json details) {
     fmt::print("{}\n", details.dump(1));
 }
 
+/// Never replaces a file that is there.
+void draw(const CheckOptions& options) {
+    if (is_table(options.file))
+        throw InputError(fmt::format("--sketch draws a scene, and {} is none", options.file));
+    if (fs::exists(options.sketch))
+        throw InputError(fmt::format("--sketch {}: the file exists, expected a new name", options.sketch));
+    sketch(read_scene(options.file)).write(options.sketch);
+}
+
 int check(const CheckOptions& options) {
     Finding found;
     try {
@@ -159,6 +170,7 @@ int check(const CheckOptions& options) {
         if (options.json) print_json(options.file, false, {{"message", error.what()}});
         throw;
     }
+    if (!options.sketch.empty()) draw(options);
     if (options.json) {
         print_json(options.file, true, found.details);
     } else {
@@ -177,6 +189,10 @@ void add_check(CLI::App& app, int& exit_code) {
     CLI::App& command = *app.add_subcommand(
         "check", "check a scene file (.toml), a reference curve or an outline (.csv) without running it");
     command.add_option("file", options->file, "path of the file")->required()->type_name("");
+    command
+        .add_option("--sketch", options->sketch,
+                    "draw the set-up to this file, .png or .svg: tank, fluids, bodies, given motions, probes")
+        ->type_name("FILE");
     command.add_flag("--strict", options->strict,
                      "end with exit code 2 if a value is doubtful (lines that begin with \"doubt:\")");
     add_json(command, options->json);

@@ -14,6 +14,7 @@
 #include "validation/metrics/quantities.hpp"
 #include "validation/run/exit_code.hpp"
 #include "validation/run/progress.hpp"
+#include "validation/scene/body_figures.hpp"
 #include "validation/scene/identity.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/scene/scene_keys.hpp"
@@ -81,6 +82,27 @@ json costs_of(const Scene& scene, const std::filesystem::path& path) {
     return all;
 }
 
+json body_json(const Scene& scene, const BodySpec& body) {
+    const BodyFigures figures = body_figures(scene, body);
+    json all = {{"name", body.name},
+                {"mass", body.body.mass},
+                {"inertia", body.body.inertia},
+                {"corners", body.outline.size()},
+                {"area", figures.area},
+                {"beam", figures.beam}};
+    const auto add = [&all](const char* key, const std::optional<double>& value) {
+        all[key] = value ? json(*value) : json(nullptr);
+    };
+    add("draught_at_rest", figures.draught);
+    add("heave_period", figures.heave_period);
+    add("speed", figures.speed);
+    add("froude", figures.froude);
+    add("reynolds", figures.reynolds);
+    add("mach", figures.mach);
+    add("first_contact", figures.first_contact);
+    return all;
+}
+
 json description(const std::string& name, const std::optional<std::string>& variant) {
     const std::filesystem::path path = find_scene(name);
     const Scene scene = read_scene(path, variant);
@@ -109,11 +131,7 @@ json description(const std::string& name, const std::optional<std::string>& vari
         all["air"] = material_json(scene.model.air);
         all["air"]["substeps"] = air_substeps(scene.model);
     }
-    for (const BodySpec& body : scene.bodies)
-        all["bodies"].push_back({{"name", body.name},
-                                 {"mass", body.body.mass},
-                                 {"inertia", body.body.inertia},
-                                 {"corners", body.outline.size()}});
+    for (const BodySpec& body : scene.bodies) all["bodies"].push_back(body_json(scene, body));
     for (const Probe& probe : scene.probes)
         all["probes"].push_back({{"name", probe.series.name}, {"note", probe.note}});
     for (const UnusedReference& unused : scene.analysis.unused_references)
@@ -138,6 +156,24 @@ double number(const json& value) {
     return value.get<double>();
 }
 
+void print_body(const json& body) {
+    fmt::print("  {} of {} corners, {:.4g} kg/m, {:.4g} kg m about its mass centre\n", text(body["name"]),
+               body["corners"].get<int>(), number(body["mass"]), number(body["inertia"]));
+    std::string line =
+        fmt::format("    area {:.4g} m2, beam {:.4g} m", number(body["area"]), number(body["beam"]));
+    const auto add = [&](const char* key, const char* words, const char* unit) {
+        if (!body[key].is_null()) line += fmt::format(", {} {:.4g}{}", words, number(body[key]), unit);
+    };
+    add("draught_at_rest", "draught at rest", " m");
+    add("heave_period", "natural period of heave about", " s");
+    add("speed", "speed", " m/s");
+    add("first_contact", "first contact at", " s");
+    add("froude", "Froude number", "");
+    add("reynolds", "Reynolds number", "");
+    add("mach", "Mach number", "");
+    fmt::print("{}\n", line);
+}
+
 void print_set_up(const json& all) {
     fmt::print("Set-up\n  tank {:.4g} x {:.4g} m, g = ({:.4g}, {:.4g}) m/s2, end at {:.4g} s\n",
                number(all["tank"][0]), number(all["tank"][1]), number(all["gravity"][0]),
@@ -152,9 +188,7 @@ void print_set_up(const json& all) {
                    number(all["air"]["density"]), number(all["air"]["sound_speed"]),
                    all["air"]["substeps"].get<int>());
     }
-    for (const json& body : all["bodies"])
-        fmt::print("  {} of {} corners, {:.4g} kg/m, {:.4g} kg m about its mass centre\n", text(body["name"]),
-                   body["corners"].get<int>(), number(body["mass"]), number(body["inertia"]));
+    for (const json& body : all["bodies"]) print_body(body);
 }
 
 /// The model's choices, defaults included.

@@ -5,88 +5,26 @@
 
 #include <algorithm>
 
-#include "reports/page/html.hpp"
+#include "validation/scene/expected_motion.hpp"
 
 namespace wetdeck {
 namespace {
 
-constexpr double largest_width = 560, largest_height = 460;  // of the tank [px]
 constexpr double line_height = 17;
 
-/// Scene coordinates to pixels; y points down in SVG.
-class Drawing {
-  public:
-    explicit Drawing(const Box& tank) : tank_(tank) {
-        const Vec2 size = tank.high - tank.low;
-        scale_ = std::min(largest_width / size.x(), largest_height / size.y());
-    }
-
-    double x(double metres) const { return (metres - tank_.low.x()) * scale_; }
-    double y(double metres) const { return (tank_.high.y() - metres) * scale_; }
-    double width() const { return x(tank_.high.x()); }
-    double height() const { return y(tank_.low.y()); }
-
-    void rectangle(const Box& box, const char* style) {
-        body_ += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>\n",
-                             x(box.low.x()), y(box.high.y()), x(box.high.x()) - x(box.low.x()),
-                             y(box.low.y()) - y(box.high.y()), style);
-    }
-    void line(Vec2 a, Vec2 b, const char* style) {
-        body_ += fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n", x(a.x()),
-                             y(a.y()), x(b.x()), y(b.y()), style);
-    }
-    void polygon(const Outline& corners, const char* style) {
-        std::string points;
-        for (const Vec2& corner : corners)
-            points += fmt::format("{:.2f},{:.2f} ", x(corner.x()), y(corner.y()));
-        body_ += fmt::format("<polygon points=\"{}\" {}/>\n", points, style);
-    }
-    /// An arrow of a given length in pixels from a point of the scene.
-    void arrow(Vec2 from, Vec2 direction, double length, const char* colour) {
-        const Vec2 tip(x(from.x()) + length * direction.x(), y(from.y()) - length * direction.y());
-        const Vec2 across(direction.y(), direction.x());  // in pixels, y down
-        const Vec2 along(direction.x(), -direction.y());
-        const Vec2 left = tip - 8 * along + 4 * across, right = tip - 8 * along - 4 * across;
-        body_ += fmt::format(
-            "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}\" "
-            "fill=\"none\" "
-            "stroke=\"{}\" stroke-width=\"1.6\"/>\n",
-            x(from.x()), y(from.y()), tip.x(), tip.y(), left.x(), left.y(), tip.x(), tip.y(), right.x(),
-            right.y(), colour);
-    }
-    void label(double px, double py, const std::string& text, const std::string& style = "") {
-        body_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", px, py, style,
-                             report::escape(text));
-    }
-    /// A numbered mark at a place in pixels.
-    void mark(double px, double py, std::size_t number) {
-        body_ += fmt::format(
-            "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"8\" fill=\"white\" stroke=\"#c0392b\"/><text "
-            "x=\"{0:.1f}\" "
-            "y=\"{2:.1f}\" text-anchor=\"middle\" font-size=\"10\" fill=\"#c0392b\">{3}</text>\n",
-            px, py, py + 3.5, number);
-    }
-    const std::string& body() const { return body_; }
-
-  private:
-    Box tank_;
-    double scale_;
-    std::string body_;
-};
-
-constexpr const char* probe_line = "stroke=\"#c0392b\" stroke-width=\"3\"";
-constexpr const char* probe_column = "stroke=\"#c0392b\" stroke-width=\"1\" stroke-dasharray=\"3 4\"";
+constexpr Stroke probe_line{"#c0392b", 3}, probe_column{"#c0392b", 1, true}, body_edge{"#5b4a26", 1.4},
+    path_edge{"#5b4a26", 1, true}, tank_edge{"#333333", 2}, plane_edge{"#7d3c98", 1.4, true};
 
 void draw_fluids(Drawing& drawing, const Scene& scene) {
     if (scene.air) {
-        for (const Box& box : scene.air_boxes) drawing.rectangle(box, "fill=\"#eef3f8\"");
+        for (const Box& box : scene.air_boxes) drawing.polygon(corners_of(box), "#eef3f8");
     }
     for (const Box& box : scene.water_boxes) {
-        drawing.rectangle(box, "fill=\"#5b9bd5\"");
+        drawing.polygon(corners_of(box), "#5b9bd5");
         const Vec2 size = box.high - box.low;
         drawing.label(drawing.x(0.5 * (box.low.x() + box.high.x())), drawing.y(box.low.y() + 0.25 * size.y()),
                       fmt::format("water {:.4g} m × {:.4g} m", size.x(), size.y()),
-                      "text-anchor=\"middle\" fill=\"white\"");
+                      {Anchor::middle, 13, "#ffffff"});
     }
 }
 
@@ -99,12 +37,16 @@ std::string description_of(const BodySpec& body) {
 
 void draw_bodies(Drawing& drawing, const Scene& scene) {
     for (const BodySpec& body : scene.bodies) {
-        drawing.polygon(body.outline, "fill=\"#d9c9a8\" stroke=\"#5b4a26\" stroke-width=\"1.4\"");
+        drawing.polygon(body.outline, body.solid ? "#b9b4aa" : "#d9c9a8", body_edge);
+        if (body.solid) continue;
+        for (const Outline& later : positions_given(scene, body)) drawing.polygon(later, "", path_edge);
         const Vec2 centre = body.body.position;
         if (body.body.velocity.norm() > 0)
             drawing.arrow(centre, body.body.velocity.normalized(), 42, "#5b4a26");
-        drawing.label(drawing.x(centre.x()), drawing.y(centre.y()) + 4, "⊕",
-                      "text-anchor=\"middle\" font-size=\"12\" fill=\"#5b4a26\"");
+        drawing.label(drawing.x(centre.x()), drawing.y(centre.y()) + 4, "⊕", {Anchor::middle, 12, "#5b4a26"});
+        for (const Spring& spring : body.body.springs)
+            if (spring.direction == Spring::Direction::line)
+                drawing.line(body.body.placed(spring.on_body), spring.on_earth, path_edge);
     }
 }
 
@@ -132,15 +74,18 @@ void draw_probes(Drawing& drawing, const Scene& scene, Key& key) {
 }
 
 void draw_tank(Drawing& drawing, const Scene& scene) {
-    drawing.rectangle(scene.tank, "fill=\"none\" stroke=\"#333\" stroke-width=\"2\"");
+    drawing.polygon(corners_of(scene.tank), "", tank_edge);
+    if (scene.symmetry)
+        drawing.line({*scene.symmetry, scene.tank.low.y()}, {*scene.symmetry, scene.tank.high.y()},
+                     plane_edge);
     const Vec2 size = scene.tank.high - scene.tank.low;
     drawing.label(0.5 * drawing.width(), drawing.height() + 20, fmt::format("{:.4g} m", size.x()),
-                  "text-anchor=\"middle\"");
-    drawing.label(-8, 0.5 * drawing.height(), fmt::format("{:.4g} m", size.y()), "text-anchor=\"end\"");
+                  {Anchor::middle});
+    drawing.label(-8, 0.5 * drawing.height(), fmt::format("{:.4g} m", size.y()), {Anchor::end});
     if (scene.model.gravity.norm() == 0) return;
     const Vec2 corner = scene.tank.high - 0.06 * Vec2(size.x(), size.x());
     drawing.arrow(corner, scene.model.gravity.normalized(), 30, "#333333");
-    drawing.label(drawing.x(corner.x()) - 8, drawing.y(corner.y()) + 18, "g", "text-anchor=\"end\"");
+    drawing.label(drawing.x(corner.x()) - 8, drawing.y(corner.y()) + 18, "g", {Anchor::end});
 }
 
 /// Writes the key below the drawing and returns where it ends [px].
@@ -148,7 +93,7 @@ double draw_key(Drawing& drawing, const Key& key) {
     double row = drawing.height() + 44;
     for (const std::string& entry : key) {
         const std::string shown = entry.size() > 100 ? entry.substr(0, 97) + "..." : entry;
-        drawing.label(0, row, shown, "font-size=\"11\" fill=\"#444\"");
+        drawing.label(0, row, shown, {Anchor::start, 11, "#444444"});
         row += line_height;
     }
     return row;
@@ -156,21 +101,17 @@ double draw_key(Drawing& drawing, const Key& key) {
 
 }  // namespace
 
-std::string sketch_svg(const Scene& scene) {
+Drawing sketch(const Scene& scene) {
     Drawing drawing(scene.tank);
     Key key;
-    for (const BodySpec& body : scene.bodies) key.push_back("⊕ " + description_of(body));
+    for (const BodySpec& body : scene.bodies)
+        if (!body.solid) key.push_back("⊕ " + description_of(body));
     draw_fluids(drawing, scene);
     draw_bodies(drawing, scene);
     draw_tank(drawing, scene);
     draw_probes(drawing, scene, key);
-    const double end = draw_key(drawing, key);
-    constexpr double left = 62, right = 80, top = 26;
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.1f} {:.1f} {:.1f} {:.1f}\" "
-        "font-family=\"sans-serif\" font-size=\"13\" role=\"img\" aria-label=\"set-up of the "
-        "scene\">{}</svg>",
-        -left, -top, std::max(drawing.width(), 520.0) + left + right, end + top, drawing.body());
+    drawing.end_at(draw_key(drawing, key));
+    return drawing;
 }
 
 }  // namespace wetdeck

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The set-up of a scene as a drawing.
+// A drawing of the set-up of a scene: tank, fluids, solids, bodies with the way that is given to them,
+// springs, probes.
 #pragma once
 
-#include <string>
-
+#include "validation/commands/drawing.hpp"
 #include "validation/scene/scene.hpp"
 
 namespace wetdeck {
 
-/// SVG drawn from the scene at its start: tank, fluids, bodies with their mass centres and velocities,
-/// numbered probes with a key, and the main dimensions.
-std::string sketch_svg(const Scene& scene);
+Drawing sketch(const Scene& scene);
 
 }  // namespace wetdeck

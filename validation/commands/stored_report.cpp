@@ -243,7 +243,7 @@ Summary make_report(const fs::path& directory, bool single_file) {
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
     if (!fs::exists(directory / "suite.json")) inputs.subject = summary.tier;
     for (const auto& [name, scene] : scenes) {
-        inputs.sketches[name] = sketch_svg(scene);
+        inputs.sketches[name] = sketch(scene).svg();
         inputs.schemes[name] = scheme_rows(scene, summary.runs);
     }
     for (const StressRow& row : summary.stress) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "solver/core/errors.hpp"
@@ -16,6 +17,7 @@
 #include "solver/setup/cut_cells.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
+#include "solver/time/time_step.hpp"
 #include "validation/run/recorders.hpp"
 #include "validation/scene/symmetry_section.hpp"
 #include "validation/scene/wet_bodies.hpp"
@@ -163,6 +165,34 @@ Simulation assemble(const Scene& whole, double particle_spacing, int threads) {
     return Simulation(std::move(setup));
 }
 
+namespace {
+
+/// Throws where a spring swings its body, or a dashpot stops it, faster than the time steps can follow.
+void check_springs(const Scene& scene, double particle_spacing) {
+    constexpr double largest_angle = 0.5;  // of an oscillation in one step [rad]: twelve steps a period
+    const double h = scene.model.smoothing_ratio * particle_spacing;
+    const TimeStep step = step_of(scene.model, stable_time_step(scene.model, h, {}, true, scene.air));
+    for (const BodySpec& spec : scene.bodies) {
+        double frequency2 = 0, decay = 0;
+        for (Spring spring : spec.body.springs) {
+            frequency2 += spring.frequency2(spec.body);
+            spring.stiffness = spring.damping;  // what it does to a velocity
+            spring.table = {};
+            decay += spring.frequency2(spec.body);
+        }
+        const double angle = std::max(std::sqrt(frequency2), decay) * step.size;
+        if (angle > largest_angle)
+            throw InputError(fmt::format(
+                "{}.springs are too stiff for {} m: the body would move in {:.2g} s, expected at "
+                "least {:.2g} s, twelve time steps a period; give the body more mass, or a softer "
+                "spring",
+                spec.name, particle_spacing, 2 * std::numbers::pi * step.size / angle,
+                2 * std::numbers::pi * step.size / largest_angle));
+    }
+}
+
+}  // namespace
+
 void check_spacing(const Scene& scene, double particle_spacing) {
     constexpr double most_particles = 5e7;
     if (!(particle_spacing > 0) || !std::isfinite(particle_spacing)) {
@@ -178,6 +208,7 @@ void check_spacing(const Scene& scene, double particle_spacing) {
     const Scene computed = scene.symmetry ? right_half(scene) : scene;
     fill(computed, particle_spacing);
     boundary(computed, particle_spacing);
+    check_springs(scene, particle_spacing);
     Recorders(scene, particle_spacing);
 }
 

@@ -70,17 +70,10 @@ double speed_of_body(const Scene& scene, const BodySpec& spec) {
     const Box extent = extent_of(spec.outline);
     double radius = 0;
     for (const Vec2& corner : spec.outline) radius = std::max(radius, (corner - spec.body.position).norm());
-    const RigidBody& body = spec.body;
+    RigidBody body = spec.body;
+    body.radius = radius;
     const double height = std::max(0.0, extent.low.y() - level_below(scene, extent));
-    double given = 0;  // of the motions that the scene prescribes
-    for (int k = 0; k <= instants_looked_at && has_given_motion(body); ++k) {
-        const double time = k * scene.end_time / instants_looked_at;
-        const auto speed = [&](int degree) {
-            return body.motion_of(degree) ? body.motion_of(degree)(time).velocity : 0;
-        };
-        given = std::max(given, std::hypot(speed(0), speed(1)) + radius * std::abs(speed(2)));
-    }
-    return std::max(given,
+    return std::max(largest_given_speed(scene, body),
                     std::sqrt(body.velocity.squaredNorm() + 2 * falling_acceleration(scene, body) * height) +
                         radius * std::abs(body.angular_velocity));
 }
@@ -118,6 +111,18 @@ Box faces_reached(const RigidBody& body, Box tank) {
 
 }  // namespace
 
+double largest_given_speed(const Scene& scene, const RigidBody& body) {
+    double largest = 0;
+    for (int k = 0; k <= instants_looked_at && has_given_motion(body); ++k) {
+        const double time = k * scene.end_time / instants_looked_at;
+        const auto speed = [&](int degree) {
+            return body.motion_of(degree) ? body.motion_of(degree)(time).velocity : 0;
+        };
+        largest = std::max(largest, std::hypot(speed(0), speed(1)) + body.radius * std::abs(speed(2)));
+    }
+    return largest;
+}
+
 std::vector<double> column_middles(const Scene& scene) {
     std::vector<double> ends = {scene.tank.low.x(), scene.tank.high.x()};
     for (const Box& box : scene.water_boxes) ends.insert(ends.end(), {box.low.x(), box.high.x()});
@@ -152,6 +157,15 @@ ExpectedSpeed fastest_expected_speed(const Scene& scene) {
     for (const BodySpec& spec : scene.bodies)
         consider(speed_of_body(scene, spec), fmt::format("of {}", spec.name));
     return fastest;
+}
+
+std::vector<Outline> positions_given(const Scene& scene, const BodySpec& spec) {
+    std::vector<Outline> positions;
+    if (!has_given_motion(spec.body) || spec.release_at_contact) return positions;
+    const double release = spec.body.guide.release_time;
+    const double end = release > 0 ? std::min(release, scene.end_time) : scene.end_time;
+    for (const int third : {1, 2, 3}) positions.push_back(moved(spec, third * end / 3));
+    return positions;
 }
 
 std::optional<std::string> collision_of_given_motion(const Scene& scene, const BodySpec& spec) {

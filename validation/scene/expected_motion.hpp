@@ -39,6 +39,14 @@ std::optional<WaterEntry> water_entry(const Scene& scene, const BodySpec& spec);
 /// each besides the speed of the body's fastest corner by its rotation.
 ExpectedSpeed fastest_expected_speed(const Scene& scene);
 
+/// The largest speed of the motion that is given for a body: of its mass centre, and of its corners by
+/// `radius` [m/s]; 0 without one.
+double largest_given_speed(const Scene& scene, const RigidBody& body);
+
+/// The outline of a body at a third, two thirds and the whole of the time for which its motion is given; none
+/// for a body without given motion.
+std::vector<Outline> positions_given(const Scene& scene, const BodySpec& spec);
+
 /// How the velocities and motions that are given for a body lead it out of the tank or into a solid, as far
 /// as 200 instants show; nothing if they do not.
 std::optional<std::string> collision_of_given_motion(const Scene& scene, const BodySpec& spec);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <sstream>
@@ -13,6 +14,7 @@
 #include "validation/metrics/reference_kind.hpp"
 #include "validation/metrics/statements.hpp"
 #include "validation/scene/model_keys.hpp"
+#include "validation/scene/motion_keys.hpp"
 #include "validation/scene/probe.hpp"
 #include "validation/store/text_table.hpp"
 
@@ -288,6 +290,10 @@ SceneKeySection model_section() {
 
 std::vector<SceneKeySection> scene_keys() {
     std::vector<SceneKeySection> all = sections_of(set_up_keys);
+    const auto bodies = std::find_if(
+        all.begin(), all.end(), [](const SceneKeySection& section) { return section.title == "Bodies"; });
+    const std::vector<SceneKeySection> motions = sections_of(motion_keys);
+    all.insert(bodies + 1, motions.begin(), motions.end());
     all.insert(all.begin() + 2, model_section());
     for (SceneKeySection& section : sections_of(analysis_keys)) all.push_back(std::move(section));
     return all;

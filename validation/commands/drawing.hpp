@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Line drawings in the coordinates of a tank, as SVG and, by gnuplot, as PNG.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solver/core/vec2.hpp"
+#include "solver/setup/body_outline.hpp"
+
+namespace wetdeck {
+
+/// How an edge is drawn; no colour: not at all.
+struct Stroke {
+    const char* colour = "";
+    double width = 1;  ///< [px]
+    bool dashed = false;
+};
+
+enum class Anchor { start, middle, end };
+
+/// How a text is drawn.
+struct TextStyle {
+    Anchor anchor = Anchor::start;
+    double size = 13;  ///< [px]
+    const char* colour = "#000000";
+};
+
+/// A drawing that grows: each call adds to both renderings. Texts are placed in pixels, y down.
+class Drawing {
+  public:
+    explicit Drawing(const Box& tank);
+
+    double x(double metres) const { return (metres - tank_.low.x()) * scale_; }   ///< [px]
+    double y(double metres) const { return (tank_.high.y() - metres) * scale_; }  ///< [px]
+    double width() const { return x(tank_.high.x()); }                            ///< of the tank [px]
+    double height() const { return y(tank_.low.y()); }                            ///< of the tank [px]
+
+    void polygon(const Outline& corners, const char* fill, const Stroke& edge = {});
+    void line(Vec2 a, Vec2 b, const Stroke& stroke);
+    /// An arrow of a given length in pixels from a point of the scene.
+    void arrow(Vec2 from, Vec2 direction, double length, const char* colour);
+    void label(double px, double py, const std::string& text, const TextStyle& style = {});
+    /// A numbered mark at a place in pixels.
+    void mark(double px, double py, std::size_t number);
+    /// Says where the last line of text is [px].
+    void end_at(double py) { end_ = py; }
+
+    std::string svg() const;
+    /// Draws to a file whose name ends in .png or .svg. Throws InputError for another ending and
+    /// EnvironmentError where gnuplot fails.
+    void write(const std::filesystem::path& file) const;
+
+  private:
+    void line_px(Vec2 a, Vec2 b, const Stroke& stroke);
+
+    Box tank_;
+    double scale_, end_ = 0;
+    std::string svg_, gnuplot_;
+    int objects_ = 0;
+};
+
+}  // namespace wetdeck
