@@ -185,9 +185,9 @@ bool is_simple(const Outline& curve) {
 }
 
 double lowest(const Outline& curve) {
-    return std::min_element(curve.begin(), curve.end(), [](const Vec2& a, const Vec2& b) {
-               return a.y() < b.y();
-           })->y();
+    return std::min_element(curve.begin(), curve.end(),
+                            [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
+        ->y();
 }
 
 void sort_from_below(std::vector<Outline>& outlines) {

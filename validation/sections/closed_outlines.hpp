@@ -20,7 +20,8 @@ struct ClosedOutlines {
 
 /// Twice enclosed points count once. Corners closer than a millionth of the extent are one corner.
 /// @param added, taken_away  closed curves, either way round, that do not cross themselves [m]
-ClosedOutlines closed_outlines(const std::vector<Outline>& added, const std::vector<Outline>& taken_away = {});
+ClosedOutlines closed_outlines(const std::vector<Outline>& added,
+                               const std::vector<Outline>& taken_away = {});
 
 /// Where a closed curve crosses itself; touching is no crossing.
 std::optional<Vec2> self_crossing(const Outline& curve);

@@ -30,8 +30,8 @@ DrawingUnit unit_of(const dxf::Drawing& drawing, const std::string& name, const 
     const auto stated = drawing.unit ? unit_names.find(*drawing.unit) : unit_names.end();
     if (options.unit) {
         if (!is_length(*options.unit))
-            throw InputError(fmt::format("{}: the unit '{}' is none of length, expected one such as mm, m, ft",
-                                         name, *options.unit));
+            throw InputError(fmt::format(
+                "{}: the unit '{}' is none of length, expected one such as mm, m, ft", name, *options.unit));
         const bool other = stated != unit_names.end() &&
                            unit_named(stated->second).factor != unit_named(*options.unit).factor;
         return {unit_named(*options.unit).factor,
@@ -65,8 +65,8 @@ std::map<std::string, double> extents_of(const dxf::DrawnCurves& drawn) {
 
 void add_closed(const Curve& curve, Station& station) {
     if (const auto at = self_crossing(curve.points)) {
-        station.notes.push_back(fmt::format("a closed curve crosses itself near ({:.4g}, {:.4g}) m and is left out",
-                                            at->x(), at->y()));
+        station.notes.push_back(fmt::format(
+            "a closed curve crosses itself near ({:.4g}, {:.4g}) m and is left out", at->x(), at->y()));
         return;
     }
     for (Outline& outline : closed_outlines({curve.points}).outlines)
@@ -158,9 +158,10 @@ SectionFile parse_dxf(const std::string& name, std::string_view text, const Sect
     const std::string left_out = drawn.left_out.empty() ? "" : "Left out: " + counted(drawn.left_out) + ".";
     if (!left_out.empty()) file.notes.push_back(left_out);
     if (file.stations.empty())
-        throw DataError(fmt::format("{}: no outline found, expected LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE or "
-                                    "SPLINE on a layer that is shown{}",
-                                    name, left_out.empty() ? "" : ". " + left_out));
+        throw DataError(
+            fmt::format("{}: no outline found, expected LWPOLYLINE, POLYLINE, LINE, ARC, CIRCLE or "
+                        "SPLINE on a layer that is shown{}",
+                        name, left_out.empty() ? "" : ". " + left_out));
     return file;
 }
 

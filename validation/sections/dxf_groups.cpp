@@ -96,7 +96,7 @@ class Reader {
             }
             const Entity layer = read_entity();
             const bool frozen = (layer.bits(70) & 1) != 0;
-            drawing_.layers[upper_case(layer.text(2).value_or(""))] = frozen                  ? Layer::frozen
+            drawing_.layers[upper_case(layer.text(2).value_or(""))] = frozen                 ? Layer::frozen
                                                                       : layer.number(62) < 0 ? Layer::off
                                                                                              : Layer::shown;
         }

@@ -49,9 +49,10 @@ class Reader {
 
     void need_line(const std::string& expected) {
         if (!lines_.next())
-            lines_.fail(fmt::format("the file ends behind this line, expected {} (a complete file ends with "
-                                    "a line '****')",
-                                    expected));
+            lines_.fail(
+                fmt::format("the file ends behind this line, expected {} (a complete file ends with "
+                            "a line '****')",
+                            expected));
     }
 
     void need_inside(const std::string& expected) {
@@ -97,9 +98,8 @@ class Reader {
     }
 
     Point read_point(std::size_t number, std::size_t count) {
-        const std::string expected =
-            fmt::format("point {} of {}: transverse, vertical[, surface code, radius, line code]", number + 1,
-                        count);
+        const std::string expected = fmt::format(
+            "point {} of {}: transverse, vertical[, surface code, radius, line code]", number + 1, count);
         need_inside(expected);
         const std::vector<std::string_view> cells = cells_of(lines_.line(), ',');
         Point point;
@@ -130,10 +130,15 @@ class Reader {
         Section section;
         section.location = head[0];
         if (!shape.sections.empty() && section.location <= shape.sections.back().location)
-            lines_.fail(fmt::format("location {} follows {}: sections go from the bow aft, with growing "
-                                    "locations",
-                                    section.location, shape.sections.back().location));
+            lines_.fail(
+                fmt::format("location {} follows {}: sections go from the bow aft, with growing "
+                            "locations",
+                            section.location, shape.sections.back().location));
         add_source(section.source);
+        // "4.,5." is a point: a section before it states fewer points than it has
+        const std::string_view count_text = cells_of(lines_.line(), ',')[1];
+        if (count_text.find_first_not_of("0123456789") != std::string_view::npos)
+            lines_.fail(fmt::format("'{}': expected {}, without a decimal point", lines_.line(), expected));
         const std::size_t points = whole(head[1], 1, most_points, "the number of points");
         for (std::size_t k = 0; k < points; ++k) {
             section.points.push_back(read_point(k, points));
@@ -185,8 +190,7 @@ class Reader {
         need_inside("the effectiveness");
         component.effectiveness = numbers(1, "the effectiveness, from -1 to 1").front();
         if (std::abs(component.effectiveness) > 1)
-            lines_.fail(
-                fmt::format("the effectiveness is {}, expected -1 to 1", component.effectiveness));
+            lines_.fail(fmt::format("the effectiveness is {}, expected -1 to 1", component.effectiveness));
         add_source(component.source);
         need_inside("the shift");
         const std::vector<double> shift = numbers(3, "the shift: longitudinal, transverse, vertical");

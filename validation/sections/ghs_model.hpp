@@ -36,7 +36,7 @@ struct Shape {
 
 struct Component {
     std::string name;
-    int side = 0;             ///< 1: as drawn, -1: mirrored, 0: one half, to be mirrored
+    int side = 0;  ///< 1: as drawn, -1: mirrored, 0: one half, to be mirrored
     double effectiveness = 1;
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< aft, to starboard, up [ft]
     Shape shape;

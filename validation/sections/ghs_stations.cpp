@@ -29,7 +29,8 @@ Outline drawn(const std::string& file, const ghs::Section& section, std::optiona
         low = low.cwiseMin(point.place);
         high = high.cwiseMax(point.place);
     }
-    const double off_arc = tolerance.value_or(std::max(chord_tolerance * foot * (high - low).maxCoeff(), 1e-9));
+    const double off_arc =
+        tolerance.value_or(std::max(chord_tolerance * foot * (high - low).maxCoeff(), 1e-9));
     Outline curve;
     const auto add = [&curve](Vec2 point) {
         if (curve.empty() || curve.back() != point) curve.push_back(point);
@@ -39,8 +40,8 @@ Outline drawn(const std::string& file, const ghs::Section& section, std::optiona
         if (const ghs::Point* before = k > 0 ? &section.points[k - 1] : nullptr;
             before && point.radius != 0 && before->radius == point.radius) {
             try {
-                for (const Vec2& on_arc : arc_by_radius(foot * before->place, foot * point.place,
-                                                        foot * point.radius, off_arc))
+                for (const Vec2& on_arc :
+                     arc_by_radius(foot * before->place, foot * point.place, foot * point.radius, off_arc))
                     add(on_arc);
             } catch (const InputError& error) {
                 throw DataError(fmt::format("{}:{}: {}", file, point.line, error.what()));
@@ -140,9 +141,9 @@ class Stations {
             throw DataError(fmt::format("{}: holds no part of type 1, a hull{}", name_,
                                         model.shapes.empty() ? ", and no shape" : ""));
         if (!left_out.empty())
-            file_.notes.push_back(fmt::format("Left out: {} ({}).", fmt::join(left_out, ", "),
-                                              options_.component ? "not asked for"
-                                                                 : "tanks and windage, no hull"));
+            file_.notes.push_back(
+                fmt::format("Left out: {} ({}).", fmt::join(left_out, ", "),
+                            options_.component ? "not asked for" : "tanks and windage, no hull"));
         for (const ghs::Component& component : components_) {
             if (component.effectiveness > 0 && component.effectiveness < 1)
                 file_.notes.push_back(
@@ -159,16 +160,15 @@ class Stations {
     void check_halves() {
         for (std::size_t k = 0; k < components_.size(); ++k) {
             ghs::Component& one = components_[k];
-            const bool ends = std::any_of(
-                one.shape.sections.begin(), one.shape.sections.end(), [](const ghs::Section& s) {
+            const bool ends =
+                std::any_of(one.shape.sections.begin(), one.shape.sections.end(), [](const ghs::Section& s) {
                     return s.points.size() > 2 && (std::abs(s.points.front().place.x()) * foot <= on_axis ||
                                                    std::abs(s.points.back().place.x()) * foot <= on_axis);
                 });
             if (one.side == 0 || !ends || !one_sided(transverse_reach(one.shape))) continue;
             const auto other = std::find_if(components_.begin(), components_.end(), [&](const auto& c) {
                 return c.shape.name == one.shape.name && c.side == -one.side &&
-                       c.effectiveness == one.effectiveness &&
-                       (c.shift - one.shift).norm() < 1e-9;
+                       c.effectiveness == one.effectiveness && (c.shift - one.shift).norm() < 1e-9;
             });
             if (other == components_.end() || std::abs(one.shift.y()) > 1e-9)
                 throw DataError(fmt::format(
@@ -188,9 +188,9 @@ class Stations {
             for (const ghs::Section& section : component.shape.sections)
                 all.push_back(foot * (section.location + component.shift.x()));
         std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end(),
-                              [](double a, double b) { return b - a <= same_station; }),
-                  all.end());
+        all.erase(
+            std::unique(all.begin(), all.end(), [](double a, double b) { return b - a <= same_station; }),
+            all.end());
         return all;
     }
 
@@ -199,15 +199,17 @@ class Stations {
         station.source += component.source + '\n' + section.source;
         const Outline curve = drawn(name_, section, options_.tolerance);
         if (curve.size() < 3) return;
-        if (const auto at = self_crossing(curve)) {
-            station.problem = fmt::format("the curve of component {} crosses itself near ({:.4g}, {:.4g}) m",
-                                          component.name, at->x(), at->y());
-            return;
-        }
-        if (signed_area(curve) < 0)
+        const std::vector<Outline> curves = curves_of(curve, component.side);
+        for (const Outline& whole : curves)
+            if (const auto at = self_crossing(whole)) {
+                station.problem =
+                    fmt::format("the curve of component {} crosses itself near ({:.4g}, {:.4g}) m",
+                                component.name, at->x(), at->y());
+                return;
+            }
+        if (signed_area(curves.front()) < 0)
             station.notes.push_back(fmt::format(
                 "component {} is drawn clockwise; the format asks for the other way", component.name));
-        const std::vector<Outline> curves = curves_of(curve, component.side);
         if (curves.size() == 2)
             station.notes.push_back(fmt::format(
                 "component {} lies beside its centre line: it is there on both sides", component.name));
@@ -224,9 +226,10 @@ class Stations {
             if (std::abs(place(section) - location) <= same_station)
                 return add_curves(component, section, station);
         if (place(sections.front()) < location && location < place(sections.back()))
-            station.problem = fmt::format("component {} passes it and has no section there (ask for one "
-                                          "component alone, or for a station that all have)",
-                                          component.name);
+            station.problem = fmt::format(
+                "component {} passes it and has no section there (ask for one "
+                "component alone, or for a station that all have)",
+                component.name);
     }
 
     void add_station(double location) {
@@ -268,9 +271,10 @@ class Stations {
 
 SectionFile parse_ghs(const std::string& name, std::string_view text, const SectionOptions& options) {
     if (options.unit)
-        throw InputError(fmt::format("{}: a GHS geometry file holds feet, whatever it says: expected no "
-                                     "unit beside it",
-                                     name));
+        throw InputError(
+            fmt::format("{}: a GHS geometry file holds feet, whatever it says: expected no "
+                        "unit beside it",
+                        name));
     return Stations(name, options).of(ghs::parse(name, text));
 }
 

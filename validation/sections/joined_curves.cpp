@@ -82,9 +82,8 @@ class Joiner {
                            (other.high.x() <= room_ && one.low.x() >= -room_);
         const double size = std::max((one.high - one.low).maxCoeff(), (other.high - other.low).maxCoeff());
         const auto differ = [size](double p, double q) { return std::abs(p - q) > 1e-3 * size; };
-        return apart &&
-               (differ(one.high.x() - one.low.x(), other.high.x() - other.low.x()) ||
-                differ(one.high.y(), other.high.y()) || differ(one.low.y(), other.low.y()));
+        return apart && (differ(one.high.x() - one.low.x(), other.high.x() - other.low.x()) ||
+                         differ(one.high.y(), other.high.y()) || differ(one.low.y(), other.low.y()));
     }
 
     Curve follow(End start, std::vector<bool>& used, double& widest_gap) const {

@@ -28,7 +28,7 @@ std::string lower_case(std::string_view text) {
 
 /// The text in the brackets of a title, "m" of "waterline [m]".
 std::optional<std::string> in_brackets(std::string_view cell) {
-    for (const auto &[open, close] : {std::pair('[', ']'), std::pair('(', ')')}) {
+    for (const auto& [open, close] : {std::pair('[', ']'), std::pair('(', ')')}) {
         const std::size_t begin = cell.find(open), end = cell.find(close);
         if (begin != std::string_view::npos && end != std::string_view::npos && begin < end)
             return std::string(trimmed(cell.substr(begin + 1, end - begin - 1)));
@@ -55,8 +55,9 @@ class Reader {
                             });
         matrix ? read_matrix() : read_rows();
         for (const Station& station : file_.stations) check(station);
-        file_.notes.push_back("Half sections, from the keel to the deck. The body plan takes the table to "
-                              "begin at the bow.");
+        file_.notes.push_back(
+            "Half sections, from the keel to the deck. The body plan takes the table to "
+            "begin at the bow.");
         return std::move(file_);
     }
 
@@ -78,9 +79,11 @@ class Reader {
     double factor_of(std::string_view title, const std::string& what) {
         const std::optional<std::string> unit = in_brackets(title);
         if (!unit)
-            lines_.fail(fmt::format("'{}' states no unit: expected it in brackets, as in '{} [m]'", title, what));
+            lines_.fail(
+                fmt::format("'{}' states no unit: expected it in brackets, as in '{} [m]'", title, what));
         if (!is_length(*unit))
-            lines_.fail(fmt::format("the unit '{}' is none of length, expected one such as m, mm, ft", *unit));
+            lines_.fail(
+                fmt::format("the unit '{}' is none of length, expected one such as m, mm, ft", *unit));
         file_.unit = *unit + ", as the titles say";
         return unit_named(*unit).factor;
     }
@@ -108,9 +111,10 @@ class Reader {
         Outline& half = station.outlines.front().corners;
         if (point.x() < 0) lines_.fail("a half breadth is negative, expected the half at starboard");
         if (!half.empty() && point.y() < half.back().y())
-            lines_.fail(fmt::format("{}: a waterline below the one before, expected them from the keel to the "
-                                    "deck",
-                                    station.title()));
+            lines_.fail(
+                fmt::format("{}: a waterline below the one before, expected them from the keel to the "
+                            "deck",
+                            station.title()));
         if (!half.empty() && point == half.back())
             lines_.fail(fmt::format("{}: the same point twice", station.title()));
         if (half.size() == most_rows) lines_.fail("more rows than expected");
@@ -121,8 +125,9 @@ class Reader {
 
     void read_rows() {
         if (cells_.size() != 3 || lower_case(cells_[0]).find("station") == std::string::npos)
-            lines_.fail("expected the titles 'station, waterline [m], half breadth [m]', or 'waterline [m]' "
-                        "and the stations");
+            lines_.fail(
+                "expected the titles 'station, waterline [m], half breadth [m]', or 'waterline [m]' "
+                "and the stations");
         const auto names = [this](std::size_t k, std::string_view word) {
             return lower_case(cells_[k]).find(word) != std::string::npos;
         };
@@ -134,10 +139,11 @@ class Reader {
         while (next_row()) {
             drop_empty_end(cells_, 3);
             if (cells_.size() != 3)
-                lines_.fail(fmt::format("has {} cells, expected 3: station, waterline, half breadth",
-                                        cells_.size()));
+                lines_.fail(
+                    fmt::format("has {} cells, expected 3: station, waterline, half breadth", cells_.size()));
             if (cells_[0].empty()) lines_.fail("expected the name or place of a station in the first cell");
-            const Vec2 point(across * number(cells_[2], "a half breadth"), up * number(cells_[1], "a waterline"));
+            const Vec2 point(across * number(cells_[2], "a half breadth"),
+                             up * number(cells_[1], "a waterline"));
             add(station_named(cells_[0], along), point);
         }
     }
@@ -168,13 +174,14 @@ class Reader {
     void check(const Station& station) const {
         const Outline& half = station.outlines.front().corners;
         if (half.size() < 3)
-            throw DataError(fmt::format("{}: {} has {} points, expected 3 or more", name_, station.title(),
-                                        half.size()));
+            throw DataError(
+                fmt::format("{}: {} has {} points, expected 3 or more", name_, station.title(), half.size()));
         if (half.front().x() > 0)
-            throw DataError(fmt::format(
-                "{}: {} begins with half breadth {:.6g} m at {:.6g} m, off the centre line: expected its keel "
-                "first, half breadth 0 (of a flat bottom at the same waterline)",
-                name_, station.title(), half.front().x(), half.front().y()));
+            throw DataError(
+                fmt::format("{}: {} begins with half breadth {:.6g} m at {:.6g} m, off the centre line: "
+                            "expected its keel "
+                            "first, half breadth 0 (of a flat bottom at the same waterline)",
+                            name_, station.title(), half.front().x(), half.front().y()));
     }
 
     std::string name_;

@@ -38,9 +38,10 @@ void check(const Spline& spline) {
     const std::size_t n = spline.control.size(), p = spline.degree;
     if (p < 1 || p > 10) throw InputError(fmt::format("is of degree {}, expected 1 to 10", p));
     if (n < p + 1)
-        throw InputError(fmt::format("has {} control points, expected {} or more (fit points alone do not "
-                                     "say what the curve is)",
-                                     n, p + 1));
+        throw InputError(
+            fmt::format("has {} control points, expected {} or more (fit points alone do not "
+                        "say what the curve is)",
+                        n, p + 1));
     if (spline.knots.size() != n + p + 1)
         throw InputError(fmt::format("has {} knots, expected {}", spline.knots.size(), n + p + 1));
     if (!spline.weights.empty() && spline.weights.size() != n)
@@ -85,8 +86,8 @@ std::vector<Vec2> arc_by_radius(Vec2 a, Vec2 b, double radius, double tolerance)
     const double half = way.norm() / 2, size = std::abs(radius);
     if (half == 0) return {};
     if (half > 1.001 * size)
-        throw InputError(fmt::format("two points {:.4g} m apart cannot lie on an arc of radius {:.4g} m",
-                                     2 * half, size));
+        throw InputError(
+            fmt::format("two points {:.4g} m apart cannot lie on an arc of radius {:.4g} m", 2 * half, size));
     const double share = std::min(1.0, half / size);
     const double to_centre = std::sqrt(std::max(0.0, size * size - half * half));
     const double hand = radius > 0 ? 1 : -1;

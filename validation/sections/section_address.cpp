@@ -17,8 +17,8 @@
 namespace wetdeck {
 namespace {
 
-const std::set<std::string> keys = {"station", "layer", "row", "part", "unit", "component", "axis",
-                                    "tolerance"};
+const std::set<std::string> keys = {"station", "layer",     "row",  "part",
+                                    "unit",    "component", "axis", "tolerance"};
 
 std::string decoded(std::string_view text, const std::string& address) {
     std::string out;
@@ -48,7 +48,8 @@ std::string encoded(const std::string& text) {
 
 bool is_offset_table(const std::filesystem::path& file) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error) || std::filesystem::file_size(file, error) > 20'000'000)
+    if (!std::filesystem::is_regular_file(file, error) ||
+        std::filesystem::file_size(file, error) > 20'000'000)
         return false;
     try {
         return looks_like_offsets(read_whole_file(file));
@@ -104,7 +105,8 @@ const Station& station_at(const SectionFile& file, const std::string& wanted) {
     const auto distance = [&](const Station& s) { return std::abs(*s.location - *place); };
     if (place)
         for (const Station& station : file.stations)
-            if (station.name.empty() && station.location && (!nearest || distance(station) < distance(*nearest)))
+            if (station.name.empty() && station.location &&
+                (!nearest || distance(station) < distance(*nearest)))
                 nearest = &station;
     if (nearest && distance(*nearest) <= rounding) return *nearest;
     throw InputError(fmt::format("{}={}: no such {}{}, expected one of {}", file.key, wanted, file.key,
@@ -127,8 +129,8 @@ std::size_t part_of(const Station& station, const SectionAddress& address) {
     const auto wanted = address.wanted.find("part");
     if (wanted == address.wanted.end()) {
         if (count == 1) return 0;
-        throw InputError(fmt::format("{} has {} outlines, expected one of {}, or part=lowest", station.title(),
-                                     count, outlines_of(station)));
+        throw InputError(fmt::format("{} has {} outlines, expected one of {}, or part=lowest",
+                                     station.title(), count, outlines_of(station)));
     }
     if (wanted->second != "lowest") return number_from(wanted->second, "part", count) - 1;
     if (count > 1 && figures_of(station.outlines[1]).low - figures_of(station.outlines[0]).low < 1e-6)
@@ -153,9 +155,8 @@ Row row_of(const SectionFile& file, const SectionAddress& address) {
     if (find(file.key.c_str()) == end && file.stations.size() > 1)
         throw InputError(fmt::format("holds {} {}s, expected {}=... with one of {}", file.stations.size(),
                                      file.key, file.key, names_of(file)));
-    const Station& station = find(file.key.c_str()) == end
-                                 ? file.stations.front()
-                                 : station_at(file, find(file.key.c_str())->second);
+    const Station& station = find(file.key.c_str()) == end ? file.stations.front()
+                                                           : station_at(file, find(file.key.c_str())->second);
     if (station.outlines.empty()) return {&station, 0};
     return {&station, part_of(station, address)};
 }
@@ -170,7 +171,8 @@ void take_corners(const SectionOutline& outline, const Station& station, ChosenS
         const double room = 1e-5 * std::max(figures.beam, figures.depth());
         const bool port = std::any_of(outline.corners.begin(), outline.corners.end(),
                                       [room](const Vec2& c) { return c.x() < -room; });
-        for (Vec2& corner : chosen.corners) corner.x() = std::abs(corner.x()) <= room ? 0 : std::abs(corner.x());
+        for (Vec2& corner : chosen.corners)
+            corner.x() = std::abs(corner.x()) <= room ? 0 : std::abs(corner.x());
         if (port) chosen.notes.push_back("the half at port was drawn: its mirror image is taken");
         chosen.half = true;
         return;
@@ -181,7 +183,8 @@ void take_corners(const SectionOutline& outline, const Station& station, ChosenS
         return;
     }
     throw InputError(fmt::format(
-        "{}: the curve is open, its ends ({:.5g}, {:.5g}) and ({:.5g}, {:.5g}) m are {:.3g} m apart: expected "
+        "{}: the curve is open, its ends ({:.5g}, {:.5g}) and ({:.5g}, {:.5g}) m are {:.3g} m apart: "
+        "expected "
         "a closed curve, a half from the keel on the centre line x = 0 (axis=... moves it) to the deck, or a "
         "whole from deck to deck",
         station.title(), first.x(), first.y(), last.x(), last.y(), (first - last).norm()));
@@ -239,7 +242,7 @@ std::optional<SectionAddress> section_address(const std::string& text) {
     address.file = chooses ? text.substr(0, mark) : text;
     if (!chooses)
         return named_as_sections(address.file) || is_offset_table(address.file) ? std::optional(address)
-                                                                                 : std::nullopt;
+                                                                                : std::nullopt;
     std::string_view rest = std::string_view(text).substr(mark + 1);
     while (!rest.empty()) {
         const std::string_view one = rest.substr(0, rest.find('&'));
@@ -262,11 +265,12 @@ ChosenSection read_section_at(const SectionAddress& address) {
         const Row row = row_of(file, address);
         const Station& station = *row.station;
         if (!station.problem.empty())
-            throw InputError(fmt::format("{}: no outline can be taken: {}", station.title(), station.problem));
+            throw InputError(
+                fmt::format("{}: no outline can be taken: {}", station.title(), station.problem));
         chosen.title = station.title();
         if (station.outlines.size() > 1)
-            chosen.title += fmt::format(", part {} of {} (from the lowest up)", row.part + 1,
-                                        station.outlines.size());
+            chosen.title +=
+                fmt::format(", part {} of {} (from the lowest up)", row.part + 1, station.outlines.size());
         chosen.notes = station.notes;
         take_corners(station.outlines[row.part], station, chosen);
         chosen.source = printable(fmt::format("{}: {}, {}, lengths in {}; its lines: {}",

@@ -27,7 +27,9 @@ struct SectionAddress {
     std::map<std::string, std::string> wanted;  ///< by key
 
     SectionOptions options() const;  ///< throws InputError for a value that is none
-    bool names_station() const { return wanted.contains("station") || wanted.contains("layer") || wanted.contains("row"); }
+    bool names_station() const {
+        return wanted.contains("station") || wanted.contains("layer") || wanted.contains("row");
+    }
     std::string text() const;
 };
 

@@ -46,7 +46,8 @@ SectionFile read_sections(const std::filesystem::path& file, const SectionOption
     if (extension == ".gf") return parse_ghs(name, text, options);
     if (extension == ".dxf") return parse_dxf(name, text, options);
     if (options.unit)
-        throw InputError(fmt::format("{}: the titles of a table state its unit: expected none beside it", name));
+        throw InputError(
+            fmt::format("{}: the titles of a table state its unit: expected none beside it", name));
     return parse_offsets(name, text);
 }
 

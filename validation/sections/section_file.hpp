@@ -42,10 +42,10 @@ struct SectionFile {
 };
 
 struct SectionOptions {
-    std::optional<std::string> unit;       ///< of a drawing that does not state its own
-    std::optional<std::string> component;  ///< of a GHS file, alone
-    std::optional<double> tolerance;       ///< distance of a chord from its arc, at most [m]
-    double axis = 0;                       ///< x of the centre line in a drawing [m]
+    std::optional<std::string> unit{};       ///< of a drawing that does not state its own
+    std::optional<std::string> component{};  ///< of a GHS file, alone
+    std::optional<double> tolerance{};       ///< distance of a chord from its arc, at most [m]
+    double axis = 0;                         ///< x of the centre line in a drawing [m]
 };
 
 /// Without SectionOptions::tolerance: this share of the larger side of the section.
