@@ -57,7 +57,7 @@ class Reader {
     }
 
     /// From the name of a section to behind its end.
-    void read_section(const std::string& section) {
+    void read_section(std::string section) {  // a copy: the group changes
         next();
         if (section == "HEADER")
             read_header();

@@ -78,8 +78,11 @@ class Joiner {
     bool two_halves(End a, End b) const {
         if (a.piece == b.piece || std::abs(place(a).x()) > room_) return false;
         const Box one = box_of(pieces_[a.piece]), other = box_of(pieces_[b.piece]);
-        const bool apart = (one.high.x() <= room_ && other.low.x() >= -room_) ||
-                           (other.high.x() <= room_ && one.low.x() >= -room_);
+        const auto at_port = [this](const Box& box) { return box.high.x() <= room_ && box.low.x() < -room_; };
+        const auto at_starboard = [this](const Box& box) {
+            return box.low.x() >= -room_ && box.high.x() > room_;
+        };
+        const bool apart = (at_port(one) && at_starboard(other)) || (at_port(other) && at_starboard(one));
         const double size = std::max((one.high - one.low).maxCoeff(), (other.high - other.low).maxCoeff());
         const auto differ = [size](double p, double q) { return std::abs(p - q) > 1e-3 * size; };
         return apart && (differ(one.high.x() - one.low.x(), other.high.x() - other.low.x()) ||
