@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "solver/core/errors.hpp"
 #include "validation/commands/body_plan.hpp"
@@ -84,11 +88,27 @@ void print_list(const SectionFile& file) {
 
 void print_notes(const SectionFile& file) {
     for (const std::string& note : file.notes) fmt::print("{}\n", note);
+    std::vector<std::pair<std::string, std::vector<const Station*>>> said;  // the stations of each note
+    const auto say = [&said](const std::string& note, const Station& station) {
+        const auto found =
+            std::find_if(said.begin(), said.end(), [&](const auto& s) { return s.first == note; });
+        if (found == said.end())
+            said.push_back({note, {&station}});
+        else
+            found->second.push_back(&station);
+    };
     for (const Station& station : file.stations) {
-        for (const std::string& note : station.notes) fmt::print("{}: {}\n", station.title(), note);
+        for (const std::string& note : station.notes) say(note, station);
         if (!station.problem.empty() && !station.outlines.empty())
-            fmt::print("{}: cannot be taken for a body: {}\n", station.title(), station.problem);
+            say("cannot be taken for a body: " + station.problem, station);
     }
+    for (const auto& [note, stations] : said)
+        fmt::print("{}: {}\n",
+                   stations.size() == 1
+                       ? stations.front()->title()
+                       : fmt::format("{} stations, from {} to {}", stations.size(),
+                                     short_title(*stations.front()), short_title(*stations.back())),
+                   note);
     fmt::print(
         "Heights and half breadths in m, half breadths from x = 0 at three heights. Deadrise in degrees, "
         "from the "
@@ -143,7 +163,7 @@ void add_sections(CLI::App& app, int& exit_code) {
         ->type_name("NAME");
     command.add_option("--picture", options->picture, "draw the body plan: aft stations left, forward right")
         ->type_name("FILE.svg|FILE.png");
-    command.add_flag("--force", options->force, "replace the picture if it exists");
+    command.add_flag("--force", options->force, "replace the file if it exists");
     command.footer(
         "A section is taken from its file with `wetdeck new FILE --station S` (or --layer, --row, --part), "
         "or in "

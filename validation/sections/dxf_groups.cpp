@@ -175,9 +175,9 @@ void Entity::fail(const std::string& what) const {
 }
 
 std::string Entity::source() const {
-    std::string out = "0 " + type;
+    std::string out = fmt::format("0 {}", type);
     for (const Group& group : groups) out += fmt::format("\n{} {}", group.code, group.value);
-    for (const Entity& vertex : vertices) out += "\n" + vertex.source();
+    for (const Entity& vertex : vertices) out += fmt::format("\n{}", vertex.source());
     return out;
 }
 
