@@ -61,14 +61,25 @@ struct Scale {
     double height() const { return 2 * margin + factor * (box.high.y() - box.low.y()); }
 };
 
-/// Where each row is labelled: at its point furthest out and up.
-std::map<std::size_t, Vec2> label_places(const std::vector<PlanLine>& lines) {
+/// Where each row is labelled [pixels]: beside its point furthest out and up, further down where another
+/// label stands there already.
+std::map<std::size_t, Vec2> label_places(const std::vector<PlanLine>& lines, const Scale& scale) {
+    constexpr double line_height = 12, width = 20;
     std::map<std::size_t, Vec2> places;
     for (const PlanLine& line : lines)
         for (const Vec2& point : {line.begin, line.end}) {
             Vec2& best = places.try_emplace(line.row, point).first->second;
             if (point.y() + std::abs(point.x()) > best.y() + std::abs(best.x())) best = point;
         }
+    for (auto each = places.begin(); each != places.end(); ++each) {
+        each->second = scale(each->second) + Vec2(each->second.x() < 0 ? -width : 4, -3);
+        const auto covered = [&](const auto& other) {
+            const Vec2 apart = (each->second - other.second).cwiseAbs();
+            return apart.x() < width && apart.y() < line_height - 1e-6;
+        };
+        for (auto other = places.begin(); (other = std::find_if(places.begin(), each, covered)) != each;)
+            each->second.y() = other->second.y() + line_height;
+    }
     return places;
 }
 
@@ -186,7 +197,7 @@ std::string body_plan_svg(const SectionFile& file) {
     const double step = grid_step((box.high - box.low).maxCoeff());
     for (double y = std::ceil(box.low.y() / step - 1e-9) * step; y <= box.high.y() + 1e-9; y += step) {
         stroke({box.low.x(), y}, {box.high.x(), y}, "stroke=\"#ddd\"");
-        label(scale({box.low.x(), y}) + Vec2(-4, 4), fmt::format("{:.4g}", y + 0.0), "end");
+        label({2, scale({0, y}).y() + 4}, fmt::format("{:.4g}", y + 0.0), "start");
     }
     for (double x = std::ceil(box.low.x() / step - 1e-9) * step; x <= box.high.x() + 1e-9; x += step) {
         stroke({x, box.low.y()}, {x, box.high.y()}, "stroke=\"#ddd\"");
@@ -195,9 +206,7 @@ std::string body_plan_svg(const SectionFile& file) {
     stroke({0, box.low.y()}, {0, box.high.y()}, "stroke=\"#888\" stroke-dasharray=\"8 3 2 3\"");
     for (const PlanLine& line : lines)
         stroke(line.begin, line.end, "stroke=\"#16324f\" stroke-width=\"1.2\" stroke-linecap=\"round\"");
-    for (const auto& [row, place] : label_places(lines))
-        label(scale(place) + Vec2(place.x() < 0 ? -3 : 3, -3), std::to_string(row),
-              place.x() < 0 ? "end" : "start");
+    for (const auto& [row, place] : label_places(lines, scale)) label(place, std::to_string(row), "start");
     const std::string title = file.drawn_as_body_plan
                                   ? "sections as drawn; metres"
                                   : "left: aft, right: forward; numbers: rows of the list; metres";
@@ -220,8 +229,7 @@ std::vector<unsigned char> body_plan_png(const SectionFile& file) {
         canvas.line(scale({box.low.x(), y}), scale({box.high.x(), y}), 0.12);
     canvas.line(scale({0, box.low.y()}), scale({0, box.high.y()}), 0.4);
     for (const PlanLine& line : lines) canvas.line(scale(line.begin), scale(line.end), 1);
-    for (const auto& [row, place] : label_places(lines))
-        canvas.number(scale(place) + Vec2(place.x() < 0 ? -18 : 4, -12), row);
+    for (const auto& [row, place] : label_places(lines, scale)) canvas.number(place - Vec2(0, 8), row);
     return canvas.png();
 }
 
