@@ -19,6 +19,7 @@
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/plausibility.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/sections/section_address.hpp"
 #include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
@@ -130,6 +131,30 @@ Finding check_corners(const std::string& file) {
             {{"kind", "outline"}, {"corners", corners.size()}, {"half", half}}};
 }
 
+/// A GHS file, a drawing or a table of offsets, all of it; or one section where one is named.
+Finding check_sections(const SectionAddress& address) {
+    if (address.names_station()) {
+        const ChosenSection chosen = read_section_at(address);
+        check_outline(chosen.half ? mirrored_section(chosen.corners) : chosen.corners);
+        return {fmt::format("{}, outline of {} corners{}", chosen.title, chosen.corners.size(),
+                            chosen.half ? ", fit for 'mirrored = true'" : ""),
+                chosen.notes,
+                {},
+                {{"kind", "section"}, {"corners", chosen.corners.size()}, {"half", chosen.half}}};
+    }
+    const SectionFile file = read_sections(address.file, address.options());
+    Finding found{fmt::format("{} of {} {}{}, lengths in {}", file.format, file.stations.size(), file.key,
+                              file.stations.size() == 1 ? "" : "s", file.unit),
+                  file.notes,
+                  {},
+                  {{"kind", file.format}, {"stations", file.stations.size()}, {"unit", file.unit}}};
+    for (const Station& station : file.stations)
+        if (!station.problem.empty())
+            found.notes.push_back(fmt::format("{}: {}", station.title(), station.problem));
+    found.notes.push_back("list its sections: wetdeck sections " + address.text());
+    return found;
+}
+
 bool is_table(const std::string& file) {
     std::string extension = fs::path(file).extension();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -138,6 +163,7 @@ bool is_table(const std::string& file) {
 }
 
 Finding check_file(const std::string& file) {
+    if (const auto address = section_address(file)) return check_sections(*address);
     if (!is_table(file)) return check_scene(file);
     if (!fs::is_regular_file(file) || looks_like_reference(read_whole_file(file))) return check_curve(file);
     try {
@@ -187,7 +213,9 @@ int check(const CheckOptions& options) {
 void add_check(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<CheckOptions>();
     CLI::App& command = *app.add_subcommand(
-        "check", "check a scene file (.toml), a reference curve or an outline (.csv) without running it");
+        "check",
+        "check a scene file (.toml), a reference curve or an outline (.csv), or hull sections (.gf, .dxf, "
+        "offsets) without running it");
     command.add_option("file", options->file, "path of the file")->required()->type_name("");
     command
         .add_option("--sketch", options->sketch,

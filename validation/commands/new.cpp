@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <map>
 
 #include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
@@ -16,6 +17,7 @@
 #include "validation/run/progress.hpp"
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/plausibility.hpp"
+#include "validation/sections/section_address.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/text_table.hpp"
 
@@ -26,6 +28,7 @@ namespace fs = std::filesystem;
 
 struct NewOptions {
     std::string section, out;
+    std::map<std::string, std::string> wanted;  ///< of a file of sections, by key of its address
     std::optional<double> speed, mass, depth, record;
     bool constant_speed = false, air = false, no_air = false, half = false, whole = false, force = false;
 };
@@ -126,15 +129,39 @@ void print_result(const Scene& scene, const HullSection& section, const EntryCho
         out, choices.spacings().front());
 }
 
+/// The file, and which of its sections the options ask for.
+std::string asked_section(const NewOptions& options) {
+    if (options.wanted.empty()) return options.section;
+    std::optional<SectionAddress> address = section_address(options.section);
+    if (!address)
+        throw InputError(fmt::format("{}: is a file of corners, of one section alone: expected no --{}",
+                                     options.section, options.wanted.begin()->first));
+    for (const auto& [key, value] : options.wanted)
+        if (!address->wanted.emplace(key, value).second)
+            throw InputError(fmt::format("--{}: stands behind the name of the file, too", key));
+    return address->text();
+}
+
+/// Which outline of a file of sections was taken.
+void print_choice(const std::string& section) {
+    const std::optional<SectionAddress> address = section_address(section);
+    if (!address) return;
+    const ChosenSection chosen = read_section_at(*address);
+    fmt::print("{}: {}\n", address->file.string(), chosen.title);
+    for (const std::string& note : chosen.notes) fmt::print("  {}\n", note);
+}
+
 int write_scene(const NewOptions& options) {
     check_out(options);
-    const HullSection section = read_section(
-        options.section, options.half || options.whole ? std::optional(options.half) : std::nullopt);
+    const std::string asked = asked_section(options);
+    const HullSection section =
+        read_section(asked, options.half || options.whole ? std::optional(options.half) : std::nullopt);
     const EntryWishes wishes = wishes_of(options);
     const EntryChoices choices = choose(section, wishes);
     const std::string text = scene_text(section, wishes, choices, options.out);
     const Scene scene = checked(text, options.out);
     atomic_write(options.out, text);
+    print_choice(asked);
     print_result(scene, section, choices, options.out);
     return exit_done;
 }
@@ -152,7 +179,8 @@ void add_new(CLI::App& app, int& exit_code) {
         *app.add_subcommand("new", "write a scene file for the water entry of a section of your own");
     command
         .add_option("section", options->section,
-                    "file of the section's corners, x and y; or of one half, from the keel to the deck")
+                    "file of the section's corners, x and y; or of one half, from the keel to the deck; or a "
+                    "GHS file (.gf), a drawing (.dxf) or a table of offsets")
         ->required()
         ->type_name("");
     add_number(command, "--speed", options->speed, "M/S",
@@ -166,6 +194,18 @@ void add_new(CLI::App& app, int& exit_code) {
                "time from contact to the end (default: until the bottom is in the water)");
     CLI::Option* half = command.add_flag("--half", options->half, "the corners are one half: mirror it");
     command.add_flag("--whole", options->whole, "the corners are the whole section")->excludes(half);
+    const auto add_wanted = [&](const char* key, const char* type, const char* description) {
+        const auto store = [options, key](const std::string& value) { options->wanted[key] = value; };
+        command.add_option_function<std::string>(std::string("--") + key, store, description)
+            ->type_name(type);
+    };
+    add_wanted("station", "S", "of a GHS file or a table of offsets: place [m] or name of the station");
+    add_wanted("layer", "NAME", "of a drawing: the layer that holds the section");
+    add_wanted("row", "N", "the section by its row in the list of `wetdeck sections`");
+    add_wanted("part", "N", "of a station with several outlines, counted from the lowest up; or lowest");
+    add_wanted("component", "NAME", "of a GHS file: one component alone");
+    add_wanted("unit", "UNIT", "of a drawing that does not state its own: m, mm, ft ...");
+    add_wanted("axis", "X", "of a drawing: x of the centre line [m]");
     command.add_option("--out", options->out, "the scene file to write")->required()->type_name("SCENE.toml");
     command.add_flag("--force", options->force, "replace the file if it exists");
     command.footer(

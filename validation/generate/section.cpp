@@ -12,6 +12,7 @@
 #include "validation/scene/bottom.hpp"
 #include "validation/scene/faces.hpp"
 #include "validation/scene/outline_file.hpp"
+#include "validation/sections/section_address.hpp"
 #include "validation/store/whole_file.hpp"
 
 namespace wetdeck {
@@ -77,7 +78,8 @@ Outline checked(const Outline& corners, bool half, const std::string& file) {
 
 HullSection read_section(const std::filesystem::path& file, std::optional<bool> half) {
     const std::string name = file.string();
-    if (std::filesystem::is_regular_file(file) && looks_like_reference(read_whole_file(file)))
+    if (!section_address(name) && std::filesystem::is_regular_file(file) &&
+        looks_like_reference(read_whole_file(file)))
         throw InputError(fmt::format(
             "{}: is a curve with a header or more than two columns, expected the corners x, y", name));
     const Outline corners = read_outline(file);

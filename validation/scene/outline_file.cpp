@@ -12,6 +12,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/metrics/units.hpp"
 #include "validation/scene/toml_reader.hpp"
+#include "validation/sections/section_address.hpp"
 #include "validation/store/text_table.hpp"
 #include "validation/store/whole_file.hpp"
 
@@ -171,9 +172,20 @@ class CornerReader {
     std::array<double, 2> factors_{1, 1};  ///< metres in one unit of x and of y
 };
 
+/// Where a line of a scene file ends, if a comment may be added there; else npos.
+std::size_t end_for_comment(const std::string& text, std::size_t from) {
+    std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view rest = std::string_view(text).substr(from, end - from);
+    if (rest.find("\"\"\"") != std::string_view::npos || rest.find("'''") != std::string_view::npos)
+        return std::string::npos;
+    if (end > from && text[end - 1] == '\r') --end;
+    return end;
+}
+
 }  // namespace
 
 Outline read_outline(const std::filesystem::path& file) {
+    if (const auto address = section_address(file.string())) return read_section_at(*address).corners;
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
         throw InputError(fmt::format("{}: no such file of corners", file.string()));
@@ -211,14 +223,26 @@ Outline mirrored_section(Outline half) {
 std::string with_outlines(std::string text, const std::filesystem::path& scene) {
     const auto files = TomlDocument(text, scene.string()).texts_named("outline");
     for (auto file = files.rbegin(); file != files.rend(); ++file) {  // from the end: places before it stay
-        std::string corners;
+        std::string corners, source;
         try {
-            for (const Vec2& corner : read_outline(scene.parent_path() / file->value))
+            const std::filesystem::path path = scene.parent_path() / file->value;
+            Outline outline;
+            if (const auto address = section_address(path.string())) {
+                ChosenSection chosen = read_section_at(*address);
+                outline = std::move(chosen.corners);
+                source = std::move(chosen.source);
+            } else {
+                outline = read_outline(path);
+            }
+            for (const Vec2& corner : outline)
                 corners += fmt::format("{}[{}, {}]", corners.empty() ? "" : ", ", corner.x(), corner.y());
         } catch (const InputError& error) {
             throw InputError(
                 fmt::format("{}:{}: key '{}': {}", scene.string(), file->line, file->key, error.what()));
         }
+        if (const std::size_t end = end_for_comment(text, file->end);
+            !source.empty() && end != std::string::npos)
+            text.insert(end, "  # " + source);
         text.replace(file->begin, file->end - file->begin, "[" + corners + "]");
     }
     return text;

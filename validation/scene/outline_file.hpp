@@ -16,6 +16,9 @@ namespace wetdeck {
 /// with a number is a corner. Units in brackets, "x [mm], y [mm]", are lengths and converted; without any the
 /// numbers are metres. A last corner that is the first one again is left out. Throws InputError "file:line:
 /// what was expected", EnvironmentError where the file may not be read.
+///
+/// A section of a GHS geometry file, a drawing or a table of offsets is asked for as
+/// "hull.gf#station=-12.3&part=1" (validation/sections/section_address.hpp).
 Outline read_outline(const std::filesystem::path& file);
 /// The same of a text; `name` stands in messages.
 Outline parse_outline(const std::string& name, std::string_view text);
@@ -26,7 +29,8 @@ Outline parse_outline(const std::string& name, std::string_view text);
 Outline mirrored_section(Outline half);
 
 /// The text of a scene file with the corners in place of each `outline` that names a file, whose path begins
-/// at the folder of the scene. Lines keep their numbers, and the text needs the file no more.
+/// at the folder of the scene. Lines keep their numbers, and the text needs the file no more: the lines of a
+/// file of sections that the corners come from follow as a comment at the end of the line.
 std::string with_outlines(std::string text, const std::filesystem::path& scene);
 
 }  // namespace wetdeck

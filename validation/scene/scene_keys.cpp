@@ -63,8 +63,8 @@ initial.arrangement | | 0 | whole number up to 1e9 | 0: the lattice; any other: 
   spacing, as this seed draws it, and the fluid has settled with the bodies held at rest | for replicates: runs that differ by this key
   alone differ by chance alone
 # Bodies
-body.outline | m | required | list of [x, y], or "FILE.csv" | corners of the body in a frame of its own; `[body_2]`, `[body_3]`, ... are further
-  bodies with the same keys | a corner every few spacings; parts thinner than two spacings are refused
+body.outline | m | required | list of [x, y], "FILE.csv" or "FILE#station=S&part=N" | corners of the body in a frame of its own; `[body_2]`, `[body_3]`, ... are
+  further bodies with the same keys. Of a GHS file (.gf), a drawing (.dxf, `#layer=NAME`) or a table of offsets one section is asked for, in docs/sections.md | a corner every few spacings; parts thinner than two spacings are refused
 body.mirrored | | false | true or false | the outline is the half from the keel to the deck |
 body.position | m | required | [x, y] | where the origin of the outline lies in the tank | two spacings of the coarsest run above the water
 body.free | | [] | list of x, y, rotation | motions that the fluid can change; the others keep their velocity |
