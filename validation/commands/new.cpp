@@ -99,7 +99,7 @@ void check_out(const NewOptions& options) {
 
 /// Throws unless the scene is one that `check --strict` passes: what is left to doubt are the user's values.
 Scene checked(const std::string& text, const fs::path& file) {
-    Scene scene = parse_scene(with_sample_files(with_outlines(text, file), file), file.string());
+    Scene scene = parse_scene(with_outlines(text, file), file.string());
     std::vector<std::string> doubts = doubtful(scene);
     for (const auto& [tier, spacings] : scene.tiers)
         for (const double dx : spacings.at(scene.variant)) {
