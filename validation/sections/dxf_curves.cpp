@@ -59,8 +59,8 @@ struct Corner {
 };
 
 /// Corners with arcs of their bulges between them.
-Curve bulged(const std::vector<Corner>& corners, bool closed, double tolerance) {
-    Curve curve;
+PlaneCurve bulged(const std::vector<Corner>& corners, bool closed, double tolerance) {
+    PlaneCurve curve;
     curve.closed = closed;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         curve.points.push_back(corners[k].place);
@@ -72,7 +72,7 @@ Curve bulged(const std::vector<Corner>& corners, bool closed, double tolerance) 
     return curve;
 }
 
-Curve light_polyline(const Entity& entity, double tolerance) {
+PlaneCurve light_polyline(const Entity& entity, double tolerance) {
     std::vector<Corner> corners;
     std::size_t ys = 0;
     for (const Group& group : entity.groups) {
@@ -94,7 +94,7 @@ Curve light_polyline(const Entity& entity, double tolerance) {
     return bulged(corners, (entity.bits(70) & 1) != 0, tolerance);
 }
 
-Curve polyline(const Entity& entity, double tolerance) {
+PlaneCurve polyline(const Entity& entity, double tolerance) {
     const int bits = entity.bits(70);
     if ((bits & 80) != 0) entity.fail("is a mesh (group 70), expected a curve");
     std::vector<Corner> corners;
@@ -108,19 +108,19 @@ Curve polyline(const Entity& entity, double tolerance) {
     return bulged(corners, (bits & 1) != 0, tolerance);
 }
 
-Curve line(const Entity& entity) {
+PlaneCurve line(const Entity& entity) {
     check_flat(entity, {entity.number(30), entity.number(31)});
     return {{{entity.number(10), entity.number(20)}, {entity.number(11), entity.number(21)}}, false, {}};
 }
 
-Curve arc(const Entity& entity, double tolerance) {
+PlaneCurve arc(const Entity& entity, double tolerance) {
     const double radius = entity.number(40);
     if (!(radius > 0)) entity.fail(fmt::format("has the radius {}, expected a positive one", radius));
     const bool circle = entity.type == "CIRCLE";
     const double begin = circle ? 0 : entity.number(50), end = circle ? 360 : entity.number(51);
     double turn = std::fmod(end - begin, 360);
     if (turn <= 0) turn += 360;
-    Curve curve;
+    PlaneCurve curve;
     curve.closed = circle;
     curve.points = arc_by_angles({entity.number(10), entity.number(20)}, radius, begin * radian,
                                  turn * radian, tolerance);
@@ -128,7 +128,7 @@ Curve arc(const Entity& entity, double tolerance) {
     return curve;
 }
 
-Curve spline(const Entity& entity, double tolerance) {
+PlaneCurve spline(const Entity& entity, double tolerance) {
     Spline s;
     check_flat(entity, entity.numbers(30));
     s.degree = static_cast<std::size_t>(std::clamp(entity.number(71, 3), 0.0, 100.0));
@@ -207,7 +207,7 @@ class Walk {
         const bool in_own_system =
             type == "LWPOLYLINE" || (type == "POLYLINE" && !solid) || type == "ARC" || type == "CIRCLE";
         const double tolerance = tolerance_(layer) / std::max(frame.linear.norm(), 1e-300);
-        Curve curve;
+        PlaneCurve curve;
         if (type == "LWPOLYLINE")
             curve = light_polyline(entity, tolerance);
         else if (type == "POLYLINE")
@@ -223,7 +223,7 @@ class Walk {
             return;
         }
         const Affine place = in_own_system ? extrusion_of(entity).then(frame) : frame;
-        Curve drawn;
+        PlaneCurve drawn;
         drawn.closed = curve.closed;
         for (const Vec2& point : curve.points)
             if (const Vec2 there = place(point); drawn.points.empty() || drawn.points.back() != there)

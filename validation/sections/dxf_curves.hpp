@@ -13,7 +13,7 @@
 namespace wetdeck::dxf {
 
 struct DrawnCurve {
-    Curve curve;        ///< [m]
+    PlaneCurve curve;   ///< [m]
     std::string layer;  ///< in upper case
     std::string source;
 };

@@ -63,7 +63,7 @@ std::map<std::string, double> extents_of(const dxf::DrawnCurves& drawn) {
     return extents;
 }
 
-void add_closed(const Curve& curve, Station& station) {
+void add_closed(const PlaneCurve& curve, Station& station) {
     if (const auto at = self_crossing(curve.points)) {
         station.notes.push_back(fmt::format(
             "a closed curve crosses itself near ({:.4g}, {:.4g}) m and is left out", at->x(), at->y()));
@@ -74,7 +74,7 @@ void add_closed(const Curve& curve, Station& station) {
 }
 
 /// From the lower end up.
-void add_open(Curve curve, Station& station) {
+void add_open(PlaneCurve curve, Station& station) {
     if (curve.points.size() < 3) {
         station.notes.push_back("a single straight line is left out");
         return;
@@ -87,7 +87,7 @@ void add_open(Curve curve, Station& station) {
 Station station_of(const std::string& layer, const dxf::DrawnCurves& drawn, double extent) {
     Station station;
     station.name = layer;
-    std::vector<Curve> pieces;
+    std::vector<PlaneCurve> pieces;
     for (const dxf::DrawnCurve& each : drawn.curves) {
         if (each.layer != layer) continue;
         pieces.push_back(each.curve);
@@ -95,7 +95,7 @@ Station station_of(const std::string& layer, const dxf::DrawnCurves& drawn, doub
         station.source += each.source;
     }
     const JoinedCurves all = joined(pieces, joined_within * extent);
-    for (const Curve& curve : all.curves)
+    for (const PlaneCurve& curve : all.curves)
         if (curve.closed)
             add_closed(curve, station);
         else

@@ -15,7 +15,7 @@ struct End {
     bool operator==(const End&) const = default;
 };
 
-Box box_of(const Curve& curve) {
+Box box_of(const PlaneCurve& curve) {
     Box box{curve.points.front(), curve.points.front()};
     for (const Vec2& point : curve.points) {
         box.low = box.low.cwiseMin(point);
@@ -26,7 +26,7 @@ Box box_of(const Curve& curve) {
 
 class Joiner {
   public:
-    Joiner(const std::vector<Curve>& pieces, double room) : pieces_(pieces), room_(room) {}
+    Joiner(const std::vector<PlaneCurve>& pieces, double room) : pieces_(pieces), room_(room) {}
 
     JoinedCurves join() {
         std::vector<bool> used(pieces_.size(), false);
@@ -89,8 +89,8 @@ class Joiner {
                          differ(one.high.y(), other.high.y()) || differ(one.low.y(), other.low.y()));
     }
 
-    Curve follow(End start, std::vector<bool>& used, double& widest_gap) const {
-        Curve curve;
+    PlaneCurve follow(End start, std::vector<bool>& used, double& widest_gap) const {
+        PlaneCurve curve;
         for (std::optional<End> at = start; at;) {
             used[at->piece] = true;
             curve.pieces.push_back(at->piece);
@@ -110,13 +110,13 @@ class Joiner {
         return curve;
     }
 
-    const std::vector<Curve>& pieces_;
+    const std::vector<PlaneCurve>& pieces_;
     double room_;
 };
 
 }  // namespace
 
-JoinedCurves joined(const std::vector<Curve>& pieces, double room) {
+JoinedCurves joined(const std::vector<PlaneCurve>& pieces, double room) {
     return Joiner(pieces, room).join();
 }
 

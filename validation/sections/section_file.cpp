@@ -23,7 +23,8 @@ std::string extension_of(const std::filesystem::path& file) {
 }  // namespace
 
 std::string Station::title() const {
-    return name.empty() ? fmt::format("station {:.6g} m", location.value_or(0)) : fmt::format("station {}", name);
+    return name.empty() ? fmt::format("station {:.6g} m", location.value_or(0))
+                        : fmt::format("station {}", name);
 }
 
 bool named_as_sections(const std::filesystem::path& file) {
