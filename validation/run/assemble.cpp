@@ -17,6 +17,7 @@
 #include "solver/setup/cut_cells.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
+#include "solver/setup/mirrored_body.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/run/recorders.hpp"
 #include "validation/scene/symmetry_section.hpp"
@@ -91,17 +92,20 @@ FluidParticles fill(const Scene& scene, double particle_spacing) {
 }
 
 WallParticles boundary(const Scene& scene, double particle_spacing) {
+    constexpr double on_plane = 1e-3;  // of a spacing: what rounding leaves of a particle on the plane
     const double support = 2 * scene.model.smoothing_ratio * particle_spacing;
     WallParticles walls = tank_walls(scene.tank, particle_spacing, support, open_ends(scene.model));
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const BodySpec& spec = scene.bodies[b];
         try {
             const auto number = static_cast<std::uint32_t>(b);
+            const std::size_t first = walls.size();
             if (spec.solid)
                 add_solid_particles(walls, number, spec.outline, spec.body.position, particle_spacing,
                                     support, scene.tank);
             else
                 add_body_particles(walls, number, spec.drawn, spec.body.position, particle_spacing, support);
+            if (scene.model.mirror_x) mirror_body_points(walls, first, on_plane * particle_spacing);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: {}", spec.name, error.what()));
         }

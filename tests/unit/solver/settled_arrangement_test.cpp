@@ -25,7 +25,7 @@ SimulationSetup still_tank(bool air) {
     setup.particle_spacing = dx;
     setup.domain = {{0, 0}, {width, 1.2}};
     setup.execution.threads = 1;
-    setup.walls = tank_walls(setup.domain, dx, 2 * setup.model.smoothing_ratio * dx, false);
+    setup.walls = tank_walls(setup.domain, dx, 2 * setup.model.smoothing_ratio * dx);
     fill_box(setup.fluid, Phase::water, {{0, 0}, {width, depth}}, dx, 1000);
     if (air) fill_box(setup.fluid, Phase::air, {{0, depth}, {width, 1.2}}, dx, 1);
     set_initial_pressure(setup.fluid, setup.model, [air](Phase phase, Vec2 x) {
