@@ -238,16 +238,6 @@ double distance_to(const Outline& outline, Vec2 point) {
     return bg::within(p, polygon) ? -distance : distance;
 }
 
-bool contains(const Outline& outline, Vec2 point) {
-    bool inside = false;
-    for (std::size_t k = 0, last = outline.size() - 1; k < outline.size(); last = k++) {
-        const Vec2 a = outline[k], b = outline[last];
-        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-        if (point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y())) inside = !inside;
-    }
-    return inside;
-}
-
 bool overlap(const Outline& a, const Outline& b) {
     return bg::intersects(polygon_of(a), polygon_of(b));
 }
@@ -261,30 +251,20 @@ double shared_area(const Outline& a, const Outline& b) {
 std::vector<Outline> parts_outside(Box box, const Outline& outline) {
     MultiPolygon parts;
     bg::difference(polygon_of(corners_of(box)), polygon_of(outline), parts);
+    const bool encloses =
+        std::any_of(parts.begin(), parts.end(), [](const Polygon& part) { return !part.inners().empty(); });
+    if (encloses) {  // an outline has no holes: two halves around it have none
+        parts.clear();
+        const double middle = area_moments(outline).centroid.x();
+        for (const Box& half : {Box{box.low, {middle, box.high.y()}}, Box{{middle, box.low.y()}, box.high}}) {
+            MultiPolygon of_half;
+            bg::difference(polygon_of(corners_of(half)), polygon_of(outline), of_half);
+            parts.insert(parts.end(), of_half.begin(), of_half.end());
+        }
+    }
     std::vector<Outline> outlines;
     for (const Polygon& part : parts) outlines.push_back(distinct_points(part.outer(), 1e-9));
     return outlines;
-}
-
-bool inside(const Outline& outline, Box box) {
-    return std::all_of(outline.begin(), outline.end(), [&](const Vec2& p) {
-        return (p - box.low).minCoeff() > 0 && (box.high - p).minCoeff() > 0;
-    });
-}
-
-AreaMoments area_moments(const Outline& outline) {
-    double area = 0, second = 0;
-    Vec2 first = Vec2::Zero();
-    const Vec2 origin = outline.front();
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Vec2 a = outline[k] - origin, b = outline[(k + 1) % outline.size()] - origin;
-        const double cross = a.x() * b.y() - a.y() * b.x();
-        area += cross / 2;
-        first += cross / 6 * (a + b);
-        second += cross / 12 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
-    }
-    const Vec2 centre = first / area;
-    return {std::abs(area), origin + centre, std::abs(second) - std::abs(area) * centre.squaredNorm()};
 }
 
 void add_body_particles(WallParticles& walls, std::uint32_t body, const Outline& outline, Vec2 frame_origin,
@@ -302,10 +282,6 @@ void add_solid_particles(WallParticles& walls, std::uint32_t body, const Outline
         if (std::min(low.minCoeff(), high.minCoeff()) > inside)
             walls.add_body_point(body, point.position - frame_origin, point.normal);
     }
-}
-
-Outline corners_of(Box box) {
-    return {box.low, {box.high.x(), box.low.y()}, box.high, {box.low.x(), box.high.y()}};
 }
 
 AreaMoments area_left(Box box, const std::vector<Outline>& outlines) {

@@ -64,7 +64,21 @@ void check_samples(const TomlTable& table, const std::string& key, const std::ve
                                     times.front(), times.back(), end_time));
 }
 
-void read_samples(const TomlTable& samples, double end_time, GivenMotions& given) {
+/// Throws where samples of a length lead through a jump that is faster than sound.
+void check_jumps(const TomlTable& samples, const ColumnKind& kind, const Curve& curve, double sound_speed) {
+    for (std::size_t k = 1; k < curve.x.size() && kind.degree < 2; ++k) {
+        const double speed = kind.velocity
+                                 ? std::abs(curve.y[k])
+                                 : std::abs(curve.y[k] - curve.y[k - 1]) / (curve.x[k] - curve.x[k - 1]);
+        if (speed >= sound_speed)
+            samples.fail(kind.name,
+                         fmt::format("moves at {:.4g} m/s from {:.6g} to {:.6g} s, expected a speed "
+                                     "below that of sound in the water, {:.4g} m/s",
+                                     speed, curve.x[k - 1], curve.x[k], sound_speed));
+    }
+}
+
+void read_samples(const TomlTable& samples, double end_time, double sound_speed, GivenMotions& given) {
     const std::vector<double> times = samples.numbers("t");
     check_samples(samples, "t", times, end_time);
     for (const ColumnKind& kind : column_kinds) {
@@ -73,6 +87,7 @@ void read_samples(const TomlTable& samples, double end_time, GivenMotions& given
         if (given.motion[kind.degree])
             samples.fail(kind.name, fmt::format("the {} is given twice", degree_names[kind.degree]));
         const Curve curve{times, values};
+        check_jumps(samples, kind, curve, sound_speed);
         given.motion[kind.degree] =
             kind.velocity ? piecewise_linear_velocity(curve) : from_start(sampled_motion(curve));
     }
@@ -182,7 +197,7 @@ GivenMotions read_motions(const TomlTable& table, double end_time, double sound_
     given.text = table.text_of("motion");
     try {
         if (motion->has("t")) {
-            read_samples(*motion, end_time, given);
+            read_samples(*motion, end_time, sound_speed, given);
         } else {
             for (std::size_t degree = 0; degree < 3; ++degree) {
                 const std::optional<TomlTable> formula = motion->optional_table(degree_names[degree]);

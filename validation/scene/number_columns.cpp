@@ -67,12 +67,12 @@ std::vector<NumberColumn> parse_columns(const std::string& name, const std::stri
                         lines.fail(fmt::format("two columns are named '{}'", titles[k].column.name));
             continue;
         }
+        if (cells.size() != titles.size())
+            lines.fail(fmt::format("holds {} numbers, expected {}", cells.size(), titles.size()));
         if (separator.value_or(found) != found)
             lines.fail(fmt::format("numbers between {}, between {} in the lines before",
                                    separator_name(found), separator_name(*separator)));
         separator = found;
-        if (cells.size() != titles.size())
-            lines.fail(fmt::format("holds {} numbers, expected {}", cells.size(), titles.size()));
         for (std::size_t k = 0; k < cells.size(); ++k) {
             const std::optional<double> number = number_in(cells[k]);
             if (!number || !std::isfinite(*number))

@@ -201,7 +201,7 @@ TEST_CASE("springs are read with their frames, and wrong ones refused", "[spring
 TEST_CASE("solids stand in the tank and may touch it, those that overlap are refused", "[solids][scene]") {
     const std::string step =
         "[[solids]]\nname = \"step\"\noutline = [[0.6, 0.0], [1.0, 0.0], [1.0, 0.1], [0.6, 0.1]]\n";
-    const Scene scene = scene_with({}, step);
+    const Scene scene = scene_with({"probes.gauge.centre=[1.0,0.3]"}, step);
     REQUIRE(scene.bodies.size() == 2);
     CHECK(scene.bodies[1].name == "step");
     const Simulation simulation = assemble(scene, 0.02, 1);
@@ -231,7 +231,7 @@ TEST_CASE("a tank may be a polygon, whose corners are solids", "[solids][scene]"
     const std::string size = "size = [1.0, 0.48]";
     text.replace(text.find(size), size.size(),
                  "outline = [[0.2, 0.0], [0.8, 0.0], [1.0, 0.2], [1.0, 0.48], [0.0, 0.48], [0.0, 0.2]]");
-    const Scene scene = parse_scene(text, "scene.toml");
+    const Scene scene = parse_scene(text, "scene.toml", std::nullopt, {"probes.gauge.centre=[1.0,0.3]"});
     CHECK(scene.tank.high == Vec2(1.0, 0.48));
     REQUIRE(scene.bodies.size() == 2);
     double area = 0;
@@ -244,7 +244,7 @@ TEST_CASE("a plane of symmetry halves the particles and keeps the body, asymmetr
           "[symmetry][scene]") {
     const std::vector<std::string> symmetric = {"water.boxes=[[0.0,0.0,1.0,0.2]]",
                                                 "air.boxes=[[0.0,0.2,1.0,0.48]]", "symmetry.x=0.5",
-                                                "probes.gauge.centre=[1.0,0.1]"};
+                                                "probes.depth.x=0.7"};
     const auto said = [&](std::vector<std::string> more) {
         more.insert(more.begin(), symmetric.begin(), symmetric.end());
         return refused(more);
@@ -256,7 +256,7 @@ TEST_CASE("a plane of symmetry halves the particles and keeps the body, asymmetr
     CHECK_THAT(said({"body.velocity_x=0.1"}), Contains("its velocity is not symmetric"));
     CHECK_THAT(said({"body.free=[\"x\"]", "body.mass=5.0"}), Contains("its freedom"));
     CHECK_THAT(said({"gravity=[1.0,-9.81]"}), Contains("gravity is not symmetric"));
-    CHECK_THAT(said({"probes.gauge.centre=[0.0,0.1]"}), Contains("lies to the left of the plane"));
+    CHECK_THAT(said({"probes.depth.x=0.3"}), Contains("lies to the left of the plane"));
 }
 
 TEST_CASE("figures of a body at rest and of its entry", "[scene]") {
