@@ -27,6 +27,9 @@ RatesSetup checked(const SimulationSetup& setup) {
         throw InputError("half a domain can be neither periodic nor have contacts of bodies");
     if (setup.tank_motion.moves() && (setup.model.periodic_x || setup.model.sponge_thickness > 0))
         throw InputError("a tank that moves can be neither periodic nor have a sponge layer");
+    const auto joined = [](const RigidBody& body) { return body.joined_to.has_value(); };
+    if (setup.model.contact.on() && std::any_of(setup.bodies.begin(), setup.bodies.end(), joined))
+        throw InputError("bodies that are joined have no contacts");
     const bool two_phase = setup.fluid.water > 0 && setup.fluid.water < setup.fluid.size();
     result.model.wall_wetting = wets_walls(setup.model, two_phase);
     result.model.air_substeps = two_phase ? air_substeps(setup.model) : 1;
@@ -38,6 +41,7 @@ Flow placed(SimulationSetup& setup) {
     Flow flow{std::move(setup.fluid), std::move(setup.walls), std::move(setup.bodies), 0,
               std::move(setup.tank_motion)};
     for (RigidBody& body : flow.bodies) body.start();
+    join_bodies(flow);
     const double support = 2 * setup.model.smoothing_ratio * setup.particle_spacing;
     const int layers = boundary_layers(support, setup.particle_spacing);
     const double density = setup.model.water.eos.reference_density;

@@ -2,6 +2,7 @@
 #include "solver/bodies/flow.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 
 namespace wetdeck {
@@ -10,11 +11,13 @@ void measure_bodies(Flow& flow, double added_mass, Vec2 gravity) {
     for (RigidBody& body : flow.bodies) body.radius = body.added_mass = body.added_inertia = 0;
     for (std::size_t n = flow.walls.fixed; n < flow.walls.size(); ++n) {
         const BodyPoint& point = flow.walls.body_point[n];
-        RigidBody& body = flow.bodies.at(point.body);
-        body.radius = std::max(body.radius, std::hypot(point.x, point.y));
+        const RigidBody& own = flow.bodies.at(point.body);
+        const Vec2 place(point.x, point.y);
+        RigidBody& body = flow.bodies[own.joined_to.value_or(point.body)];  // that carries it
+        const Vec2 at = own.joined_to ? Vec2(own.joint + Eigen::Rotation2Dd(own.joint_angle) * place) : place;
+        body.radius = std::max(body.radius, at.norm());
         body.added_mass += added_mass;
-        const Vec2 arm = Vec2(point.x, point.y) - body.guide.pivot.value_or(Vec2::Zero());
-        body.added_inertia += added_mass * arm.squaredNorm();
+        body.added_inertia += added_mass * (at - body.guide.pivot.value_or(Vec2::Zero())).squaredNorm();
     }
     for (RigidBody& body : flow.bodies) {
         for (int k = 0; k < 2; ++k) {
@@ -53,7 +56,34 @@ void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volu
     for (double& sum : walls.own_sum) sum = std::min(sum, 1.0);  // rounding of the lattice
 }
 
+void join_bodies(Flow& flow) {
+    for (std::size_t b = 0; b < flow.bodies.size(); ++b) {
+        RigidBody& body = flow.bodies[b];
+        if (!body.joined_to) continue;
+        if (*body.joined_to >= b || flow.bodies[*body.joined_to].joined_to)
+            throw std::out_of_range("a body is joined to none before it");
+        const RigidBody& carrier = flow.bodies[*body.joined_to];
+        body.joint = carrier.local(body.position);
+        body.joint_angle = body.angle - carrier.angle;
+    }
+}
+
+void carry_joined_bodies(std::vector<RigidBody>& bodies) {
+    for (RigidBody& body : bodies) {
+        if (!body.joined_to) continue;
+        const RigidBody& carrier = bodies[*body.joined_to];
+        body.position = carrier.placed(body.joint);
+        body.angle = carrier.angle + body.joint_angle;
+        const Vec2 arm = body.position - carrier.position;
+        body.velocity = carrier.velocity_at(arm);
+        body.angular_velocity = carrier.angular_velocity;
+        body.acceleration = carrier.acceleration_at(arm);
+        body.angular_acceleration = carrier.angular_acceleration;
+    }
+}
+
 void place_walls(Flow& flow, Vec2 gravity) {
+    carry_joined_bodies(flow.bodies);
     WallParticles& walls = flow.walls;
     const bool tank_moves = flow.tank_motion.moves();
     FrameForces frame;

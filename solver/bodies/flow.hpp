@@ -43,6 +43,13 @@ void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volu
 /// moves, all walls get the acceleration against the forces of its frame, as the wall pressure needs it.
 void place_walls(Flow& flow, Vec2 gravity);
 
+/// Sets where joined bodies are in the frames of those that carry them. Throws std::out_of_range where a body
+/// is joined to none before it.
+void join_bodies(Flow& flow);
+
+/// Gives joined bodies the pose and the motion that follow from those that carry them.
+void carry_joined_bodies(std::vector<RigidBody>& bodies);
+
 /// Sum of the forces that the last force pass left on the boundary particles of one body, Eqs. (20)-(21).
 BodyLoad load_on(const Flow& flow, std::size_t body);
 

@@ -25,6 +25,8 @@ void RigidBody::check() const {
     if (translates && !(mass > 0)) throw InputError("a body that is free to move needs a positive mass");
     if (free[2] && !(inertia > 0)) throw InputError("a body that is free to turn needs a positive inertia");
     if (guide.pivot && translates) throw InputError("a body on a hinge is not free along x or y");
+    if (joined_to && (yields() || guided()))
+        throw InputError("a body that is joined to another one moves with it alone");
     for (std::size_t k = 0; k < 3; ++k)
         if (guide.motion[k] && free[k] && !(guide.release_time > 0))
             throw InputError("a motion is given for a degree of freedom that is free from the start");
@@ -32,7 +34,7 @@ void RigidBody::check() const {
 
 bool RigidBody::moves() const {
     const auto is_given = [](const Motion& motion) { return static_cast<bool>(motion); };
-    return yields() || !velocity.isZero() || angular_velocity != 0 ||
+    return yields() || joined_to || !velocity.isZero() || angular_velocity != 0 ||
            std::any_of(guide.motion.begin(), guide.motion.end(), is_given);
 }
 

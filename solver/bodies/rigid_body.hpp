@@ -86,9 +86,12 @@ struct RigidBody {
     double angular_impulse = 0;   ///< time integral of `torque` [N s]
     double work = 0;              ///< of the fluid on the body since the start [J/m]
 
-    Guide guide;                  ///< what moves it besides forces
-    std::vector<Spring> springs;  ///< between it and the earth
-    BodyLoad restraint;           ///< by the springs, of the last evaluation
+    std::optional<std::size_t> joined_to;  ///< number of the body before it to which it is fixed, if any
+    Vec2 joint = Vec2::Zero();             ///< its mass centre in the frame of that body [m]
+    double joint_angle = 0;                ///< its angle less that of that body [rad]
+    Guide guide;                           ///< what moves it besides forces
+    std::vector<Spring> springs;           ///< between it and the earth
+    BodyLoad restraint;                    ///< by the springs, of the last evaluation
 
     /// Throws InputError if it is free to move without mass or inertia, if a motion is given and free with
     /// no release, or if a hinged body is free along x or y.

@@ -196,10 +196,21 @@ void Rates::body_loads(Flow& flow, double substep_weight, double remaining) {
     const auto gravity = [&](const RigidBody& body) -> Vec2 {
         return setup_.model.gravity + frame.at(body.position, body.velocity);
     };
-    const auto load = [&](std::size_t b) {
+    const auto own_load = [&](std::size_t b) {
         return setup_.model.mirror_x
                    ? load_on_both_halves(flow, b, setup_.domain.low.x(), setup_.particle_spacing)
                    : load_on(flow, b);
+    };
+    const auto load = [&](std::size_t b) {  // with those of what it carries
+        BodyLoad sum = own_load(b);
+        for (std::size_t other = b + 1; other < flow.bodies.size(); ++other) {
+            if (flow.bodies[other].joined_to != b) continue;
+            const BodyLoad more = own_load(other);
+            const Vec2 arm = flow.bodies[other].position - flow.bodies[b].position;
+            sum.force += more.force;
+            sum.torque += more.torque + arm.x() * more.force.y() - arm.y() * more.force.x();
+        }
+        return sum;
     };
     PassInput in = pass_input(flow, substep_weight);
     if (substep_weight > 0) {

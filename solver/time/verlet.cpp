@@ -75,6 +75,7 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
     FluidParticles& fluid = flow.fluid;
     const double slow_weight = substep.last() ? substep.count : 0;
     for (RigidBody& body : flow.bodies) body.kick(0.5 * substep.dt, slow_weight, flow.time);
+    carry_joined_bodies(flow.bodies);
     const auto size = static_cast<std::int64_t>(fluid.size());
     double fastest_water = 0, fastest_air = 0, densest_water = 1, densest_air = 1;
     std::int64_t first_bad = size;

@@ -104,7 +104,7 @@ WallParticles boundary(const Scene& scene, double particle_spacing) {
                 add_solid_particles(walls, number, spec.outline, spec.body.position, particle_spacing,
                                     support, scene.tank);
             else
-                add_body_particles(walls, number, spec.drawn, spec.body.position, particle_spacing, support);
+                add_body_particles(walls, number, spec.drawn, spec.drawn_centre, particle_spacing, support);
             if (scene.model.mirror_x) mirror_body_points(walls, first, on_plane * particle_spacing);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: {}", spec.name, error.what()));

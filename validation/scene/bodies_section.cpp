@@ -8,6 +8,7 @@
 
 #include "solver/core/errors.hpp"
 #include "validation/scene/body_mass.hpp"
+#include "validation/scene/faces.hpp"
 #include "validation/scene/motion_section.hpp"
 #include "validation/scene/outline_file.hpp"
 #include "validation/scene/sections.hpp"
@@ -85,12 +86,15 @@ void check_place(const TomlTable& table, const BodySpec& spec, const Scene& scen
     }
 }
 
-/// Throws for a point outside the bounding box of the outline, in whose frame it is given.
-void check_mass_centre(const TomlTable& table, Vec2 centre, const BodySpec& spec) {
-    Vec2 low = spec.drawn.front(), high = low;
-    for (const Vec2& corner : spec.drawn) {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
+/// Throws for a point outside the bounding box of the outline, in whose frame it is given, and of those that
+/// are joined to it.
+void check_mass_centre(const TomlTable& table, Vec2 centre, const std::vector<Outline>& joined,
+                       const BodySpec& spec) {
+    auto [low, high] = extent_of(spec.drawn);
+    for (const Outline& outline : joined) {
+        const Box extent = extent_of(outline);
+        low = low.cwiseMin(extent.low);
+        high = high.cwiseMax(extent.high);
     }
     low -= spec.origin;
     high -= spec.origin;
@@ -173,20 +177,85 @@ void read_pose(const TomlTable& table, BodySpec& spec) {
                                         spec.body.angle));
     spec.outline.clear();
     for (const Vec2& corner : spec.drawn)
-        spec.outline.push_back(spec.body.angle == 0 ? corner : spec.body.placed(corner - spec.body.position));
+        spec.outline.push_back(spec.body.angle == 0 ? corner : spec.body.placed(corner - spec.drawn_centre));
 }
 
-BodySpec read_body(const TomlTable& table, const std::string& name, const Scene& scene) {
+std::string body_name(int number) {
+    return number == 1 ? "body" : fmt::format("body_{}", number);
+}
+
+/// Of two areas together.
+AreaMoments sum_of(const AreaMoments& a, const AreaMoments& b) {
+    const double area = a.area + b.area;
+    const Vec2 centroid = (a.area * a.centroid + b.area * b.centroid) / area;
+    return {area, centroid,
+            a.second_moment + a.area * (a.centroid - centroid).squaredNorm() + b.second_moment +
+                b.area * (b.centroid - centroid).squaredNorm()};
+}
+
+/// The table of body number 1, 2, ... if there is one.
+std::optional<TomlTable> body_table(const TomlTable& root, int number) {
+    return root.optional_table(body_name(number));
+}
+
+/// The outlines of the bodies that are joined to this one, as drawn.
+std::vector<Outline> outlines_joined_to(const TomlTable& root, const std::string& name) {
+    std::vector<Outline> outlines;
+    for (int number = 2; const std::optional<TomlTable> table = body_table(root, number); ++number) {
+        if (!table->has("joined_to") || table->text("joined_to") != name) continue;
+        BodySpec spec;
+        spec.origin = point(*table, "position");
+        read_outline_of(*table, spec);
+        outlines.push_back(spec.drawn);
+    }
+    return outlines;
+}
+
+/// An outline that moves with a body before it, which has the mass of both.
+BodySpec read_joined(const TomlTable& table, const std::string& name, const Scene& scene) {
+    BodySpec spec;
+    spec.name = name;
+    const std::string carrier_name = table.text("joined_to");
+    const auto carrier = std::find_if(scene.bodies.begin(), scene.bodies.end(), [&](const BodySpec& other) {
+        return other.name == carrier_name && !other.body.joined_to;
+    });
+    if (carrier == scene.bodies.end())
+        table.fail("joined_to",
+                   fmt::format("'{}' is no body before this one that carries itself", carrier_name));
+    if (scene.model.contact.on())
+        table.fail("joined_to", "bodies that are joined have no contacts: take out the table [contact]");
+    spec.origin = point(table, "position");
+    read_outline_of(table, spec);
+    RigidBody& body = spec.body;
+    body.free = {false, false, false};
+    body.joined_to = static_cast<std::size_t>(carrier - scene.bodies.begin());
+    spec.drawn_centre = area_moments(spec.drawn).centroid;
+    const auto turned = [&](Vec2 at) { return carrier->body.placed(at - carrier->drawn_centre); };
+    body.position = turned(spec.drawn_centre);
+    body.angle = carrier->body.angle;
+    for (const Vec2& corner : spec.drawn) spec.outline.push_back(turned(corner));
+    spec.guide = table.text_of("joined_to");
+    table.finish();
+    check_place(table, spec, scene);
+    return spec;
+}
+
+BodySpec read_body(const TomlTable& root, const TomlTable& table, const std::string& name,
+                   const Scene& scene) {
+    if (table.has("joined_to")) return read_joined(table, name, scene);
     BodySpec spec;
     spec.name = name;
     spec.origin = point(table, "position");
     read_outline_of(table, spec);
     RigidBody& body = spec.body;
     read_freedom(table, body);
-    const AreaMoments moments = area_moments(spec.drawn);
+    AreaMoments moments = area_moments(spec.drawn);
+    const std::vector<Outline> joined = outlines_joined_to(root, name);
+    for (const Outline& more : joined) moments = sum_of(moments, area_moments(more));
     const Vec2 centroid = moments.centroid - spec.origin;
     body.position = spec.origin + point_or(table, "mass_centre", centroid);
-    if (table.has("mass_centre")) check_mass_centre(table, body.position - spec.origin, spec);
+    if (table.has("mass_centre")) check_mass_centre(table, body.position - spec.origin, joined, spec);
+    spec.drawn_centre = body.position;
     read_mass(table, moments, spec);
     read_pose(table, spec);
     read_velocity(table, body);
@@ -209,7 +278,7 @@ BodySpec read_solid(const TomlTable& table, const std::string& name, const Scene
     read_outline_of(table, spec);
     spec.outline = spec.drawn;
     spec.body.free = {false, false, false};
-    spec.body.position = area_moments(spec.drawn).centroid;
+    spec.body.position = spec.drawn_centre = area_moments(spec.drawn).centroid;
     table.finish();
     check_place(table, spec, scene);
     return spec;
@@ -218,12 +287,8 @@ BodySpec read_solid(const TomlTable& table, const std::string& name, const Scene
 }  // namespace
 
 void read_bodies(const TomlTable& root, Scene& scene) {
-    for (int number = 1;; ++number) {
-        const std::string name = number == 1 ? "body" : fmt::format("body_{}", number);
-        const std::optional<TomlTable> table = root.optional_table(name);
-        if (!table) break;
-        scene.bodies.push_back(read_body(*table, name, scene));
-    }
+    for (int number = 1; const std::optional<TomlTable> table = body_table(root, number); ++number)
+        scene.bodies.push_back(read_body(root, *table, body_name(number), scene));
     int number = 0;
     for (const TomlTable& table : root.tables("solids")) {
         ++number;
@@ -241,7 +306,7 @@ void add_tank_walls(const TomlTable& tank, const Outline& outline, Scene& scene)
         spec.name = number == 1 ? "tank_wall" : fmt::format("tank_wall_{}", number);
         spec.outline = spec.drawn = std::move(part);
         spec.body.free = {false, false, false};
-        spec.body.position = area_moments(spec.drawn).centroid;
+        spec.body.position = spec.drawn_centre = area_moments(spec.drawn).centroid;
         check_place(tank, spec, scene);
         scene.bodies.push_back(std::move(spec));
     }

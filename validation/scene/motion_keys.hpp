@@ -9,6 +9,8 @@ body.angle | rad | 0 | number, or "8 deg" | heel at the start: the outline is dr
 body.density | kg/m^3 | | positive number | in place of `body.mass`: the mass follows from the area of the outline |
 body.speed | m/s | | zero or a positive number | in place of velocity_x and velocity_y: speed at the start, in `body.direction` |
 body.direction | rad | 0 | number, or "20 deg" | direction of `body.speed` from straight down, towards the right |
+body.joined_to | | none | a body before this one | the outline is fixed to that body and moves with it, as the second hull of a catamaran: mass, inertia and
+  mass centre of that body are those of both, and so are the forces that it records. Of the other keys only outline, mirrored and position apply |
 body.pivot | m | none | [x, y] | a hinge, in the frame of the outline: this point stays where it is, or moves as `motion` says, and the body turns
   about it if "rotation" is in `free` |
 body.release | s | 0 | positive number, or "contact" | until then the motions in `free` keep their velocity or follow `motion`; "contact": until water

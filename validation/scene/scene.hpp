@@ -23,10 +23,11 @@ namespace wetdeck {
 /// A rigid body of a scene, or a solid that is fixed in the tank: its outline as placed at the start, and its
 /// state then.
 struct BodySpec {
-    std::string name;            ///< of its table: body, body_2, ..., or of the solid
-    Outline outline;             ///< corners in the scene at the start [m]
-    Outline drawn;               ///< the same before the body is turned by its angle [m]
-    Vec2 origin = Vec2::Zero();  ///< of the frame in which the file gives the outline [m]
+    std::string name;                  ///< of its table: body, body_2, ..., or of the solid
+    Outline outline;                   ///< corners in the scene at the start [m]
+    Outline drawn;                     ///< the same before the body is turned by its angle [m]
+    Vec2 origin = Vec2::Zero();        ///< of the frame in which the file gives the outline [m]
+    Vec2 drawn_centre = Vec2::Zero();  ///< mass centre before the body is turned [m]
     RigidBody body;
     double even_inertia = 0;  ///< about the mass centre, with the mass spread evenly over the outline [kg m]
     bool solid = false;       ///< fixed in the tank, whose faces it may touch
@@ -34,7 +35,7 @@ struct BodySpec {
     std::string guide;  ///< its motion, hinge, springs and release as the file gives them; empty: none
 
     /// A point of the outline's frame in the frame of the mass centre [m].
-    Vec2 in_body_frame(Vec2 point) const { return point + origin - body.position; }
+    Vec2 in_body_frame(Vec2 point) const { return point + origin - drawn_centre; }
     /// A point of the outline's frame in the scene, before the body is turned [m].
     Vec2 as_drawn(Vec2 point) const { return point + origin; }
     /// A point of the outline's frame in the scene at the start [m].

@@ -82,7 +82,12 @@ std::vector<Use> uses_of_body(const std::string& name) {
     const auto pushed = where([](const RigidBody& b) {
         return (b.free[0] && b.applied_force.x() != 0) || (b.free[1] && b.applied_force.y() != 0);
     });
-    return {{name, "mass", moves, "the body keeps its velocity"},
+    const auto not_given = [&](int degree) {
+        return where([degree](const RigidBody& b) { return !b.motion_of(degree) && !b.guide.pivot; });
+    };
+    return {{name, "velocity_x", not_given(0), "a motion or a hinge is given"},
+            {name, "velocity_y", not_given(1), "a motion or a hinge is given"},
+            {name, "mass", moves, "the body keeps its velocity"},
             {name, "inertia", turns, "the body is not free to turn"},
             {name, "applied_torque", turns, "the body is not free to turn"},
             {name, "applied_force", pushed, "the body is not free to move that way"}};

@@ -61,16 +61,6 @@ void Setup::put(const RigidBody& body, const Outline& outline) {
     bodies.push_back(body);
 }
 
-void Setup::put_solid(const Outline& outline) {
-    RigidBody solid;
-    solid.free = {false, false, false};
-    solid.position = area_moments(outline).centroid;
-    clear_fluid(fluid, outline, particle_spacing);
-    add_solid_particles(walls, static_cast<std::uint32_t>(bodies.size()), outline, solid.position,
-                        particle_spacing, 2 * model.smoothing_ratio * particle_spacing, domain);
-    bodies.push_back(solid);
-}
-
 void shake(Setup& setup, double share, std::uint64_t seed) {
     Dice dice(seed);
     for (FluidState& p : setup.fluid.state) {

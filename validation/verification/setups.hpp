@@ -37,8 +37,6 @@ struct Setup : SimulationSetup {
     /// Puts a body where its position and angle say and takes away the fluid there. The outline is about its
     /// mass centre.
     void put(const RigidBody& body, const Outline& outline);
-    /// Puts a solid that is fixed in the tank, whose faces it may touch, and takes away the fluid there.
-    void put_solid(const Outline& outline);
     Simulation simulate() const { return Simulation(*this); }
 };
 

@@ -276,3 +276,24 @@ TEST_CASE("figures of a body at rest and of its entry", "[scene]") {
     CHECK(entry.first_contact.value() == Approx((std::sqrt(1 + 2 * 9.81 * 0.09) - 1) / 9.81));
     CHECK(entry.froude.value() == Approx(entry.speed.value() / std::sqrt(9.81 * 0.2)));
 }
+
+TEST_CASE("two hulls that are joined have one mass centre and one mass", "[motion][scene]") {
+    const std::string second =
+        "[body_2]\njoined_to = \"body\"\noutline = [[-0.1, -0.05], [0.1, -0.05], [0.1, 0.05], [-0.1, 0.05]]\n"
+        "position = [0.2, 0.34]\n";
+    const Scene scene =
+        scene_with({"body.free=[\"y\",\"rotation\"]", "body.density=500.0", "body.angle=0.1"}, second);
+    REQUIRE(scene.bodies.size() == 2);
+    const RigidBody& body = scene.bodies[0].body;
+    CHECK(body.mass == Approx(2 * 0.02 * 500));
+    CHECK((body.position - Vec2(0.35, 0.34)).norm() < 1e-12);
+    CHECK(body.inertia == Approx(2 * (10 * (0.04 + 0.01) / 12 + 10 * 0.15 * 0.15)));
+    const BodySpec& joined = scene.bodies[1];
+    CHECK(joined.body.joined_to == 0U);
+    CHECK((joined.body.position - Vec2(0.35 - 0.15 * std::cos(0.1), 0.34 - 0.15 * std::sin(0.1))).norm() <
+          1e-12);
+    CHECK((joined.at_start({0.1, 0.05}) - joined.outline[2]).norm() < 1e-12);
+    CHECK_THAT(refused({"body_2.joined_to=\"hull\""}, second), Contains("'hull' is no body before this one"));
+    CHECK_THAT(refused({"body_2.mass=3.0"}, second), Contains("key 'body_2.mass'"));
+    CHECK_THAT(refused({"contact.restitution=0.5"}, second), Contains("have no contacts"));
+}
