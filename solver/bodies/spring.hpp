@@ -23,6 +23,7 @@ struct BodyLoad;
 
 /// One spring with its dashpot.
 struct Spring {
+    /// What the spring acts along.
     enum class Direction { x, y, rotation, line };
     Direction direction = Direction::y;  ///< a degree of freedom, or a line
     Vec2 on_body = Vec2::Zero();         ///< end of the line, in the body's frame [m]
