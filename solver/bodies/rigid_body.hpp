@@ -78,7 +78,7 @@ struct RigidBody {
     double added_mass = 0;                         ///< of the water that follows the surface at once [kg/m]
     double added_inertia = 0;                      ///< of the same, about the mass centre [kg m]
     std::vector<std::vector<Vec2>> outlines = {};  ///< corners of each, in the body's frame [m]; for contact
-    double radius = 0;  ///< of the farthest boundary particle about the mass centre [m]
+    double radius = 0;  ///< of the farthest boundary particle of it and what is joined to it [m]
     bool held = false;  ///< until its release: no force moves it
 
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]

@@ -18,8 +18,7 @@ const Vec2 gravity(0, -9.81);
 /// Position in the tank of a point of the earth, by the definition of the motion.
 Vec2 seen_from(const MovingFrame& frame, double time, Vec2 earth) {
     const auto at = [&](std::size_t k) { return frame.motion[k] ? frame.motion[k](time).displacement : 0; };
-    return frame.centre +
-           Eigen::Rotation2Dd(-at(2)) * (earth - frame.centre - Vec2(at(0), at(1)));
+    return frame.centre + Eigen::Rotation2Dd(-at(2)) * (earth - frame.centre - Vec2(at(0), at(1)));
 }
 
 }  // namespace
