@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/probes/both_halves.hpp"
+
 namespace wetdeck {
 namespace {
 
@@ -34,16 +36,15 @@ double front_position(const Simulation& simulation, const FrontProbe& probe) {
     const FluidParticles& fluid = simulation.fluid();
     const double half = 0.5 * simulation.particle_spacing();
     const double sign = probe.forward ? 1 : -1;
-    const Box tank = simulation.domain();
+    const Box tank = whole_tank(simulation);
     const double begin = probe.forward ? std::max(probe.range.low[probe.axis], tank.low[probe.axis])
                                        : std::min(probe.range.high[probe.axis], tank.high[probe.axis]);
     const double end = (probe.forward ? probe.range.high : probe.range.low)[probe.axis];
     double front = -std::numeric_limits<double>::infinity();  // along the direction
-    for (std::size_t i = 0; i < fluid.water; ++i) {
-        const Vec2 at = fluid.state[i].position();
+    for_each_in_both_halves(simulation, fluid.water, [&](std::size_t, Vec2 at) {
         const bool within = (at - probe.range.low).minCoeff() >= 0 && (probe.range.high - at).minCoeff() >= 0;
         if (within) front = std::max(front, sign * at[probe.axis]);
-    }
+    });
     if (!std::isfinite(front)) return begin;
     return sign * std::min(front + half, sign * end);
 }
@@ -56,16 +57,16 @@ double front_position(const Simulation& simulation) {
 double water_depth(const Simulation& simulation, double x, double width) {
     const FluidParticles& fluid = simulation.fluid();
     const double dx = simulation.particle_spacing();
-    const Box tank = simulation.domain();
+    const Box tank = whole_tank(simulation);
     const double beyond =
         std::max(0.0, tank.low.x() - (x - 0.5 * width)) + std::max(0.0, x + 0.5 * width - tank.high.x());
     double volume = 0;
-    for (std::size_t i = 0; i < fluid.water; ++i) {
+    for_each_in_both_halves(simulation, fluid.water, [&](std::size_t i, Vec2 at) {
         // a particle counts by the share of its width that lies in the strip
-        const double low = std::max(fluid.state[i].x - 0.5 * dx, x - 0.5 * width);
-        const double high = std::min(fluid.state[i].x + 0.5 * dx, x + 0.5 * width);
+        const double low = std::max(at.x() - 0.5 * dx, x - 0.5 * width);
+        const double high = std::min(at.x() + 0.5 * dx, x + 0.5 * width);
         volume += fluid.state[i].volume * std::max(0.0, high - low) / dx;
-    }
+    });
     return volume / (width - beyond);
 }
 
@@ -73,17 +74,16 @@ std::vector<double> water_top(const Simulation& simulation, double low, double h
     const FluidParticles& fluid = simulation.fluid();
     const double dx = simulation.particle_spacing(), width = (high - low) / static_cast<double>(count);
     std::vector<double> top(count, simulation.domain().low.y());
-    for (std::size_t i = 0; i < fluid.water; ++i) {
-        const FluidState& p = fluid.state[i];
+    for_each_in_both_halves(simulation, fluid.water, [&](std::size_t, Vec2 at) {
         // neighbours overlap, so that no column falls between two that have moved apart a little
-        const double first = std::ceil((p.x - 0.75 * dx - low) / width - 0.5);
-        const double last = std::floor((p.x + 0.75 * dx - low) / width - 0.5);
+        const double first = std::ceil((at.x() - 0.75 * dx - low) / width - 0.5);
+        const double last = std::floor((at.x() + 0.75 * dx - low) / width - 0.5);
         const double end = std::min(last, static_cast<double>(count) - 1);
         for (double k = std::max(first, 0.0); k <= end; ++k) {
             double& height = top[static_cast<std::size_t>(k)];
-            height = std::max(height, p.y + 0.5 * dx);
+            height = std::max(height, at.y() + 0.5 * dx);
         }
-    }
+    });
     return top;
 }
 
@@ -94,11 +94,11 @@ double gap_to_water(const Simulation& simulation, std::size_t body, Vec2 from, V
     const Eigen::Matrix2d into_frame = b.axes().transpose();
     const FluidParticles& fluid = simulation.fluid();
     double gap = (simulation.domain().high - simulation.domain().low).norm();
-    for (std::size_t i = 0; i < fluid.water; ++i) {
-        const Vec2 r = into_frame * (fluid.state[i].position() - b.position) - from;
+    for_each_in_both_halves(simulation, fluid.water, [&](std::size_t, Vec2 at) {
+        const Vec2 r = into_frame * (at - b.position) - from;
         const double s = r.dot(along), distance = r.dot(outward);
         if (s >= 0 && s <= length && distance > 0) gap = std::min(gap, distance);
-    }
+    });
     return std::max(0.0, gap - 0.5 * simulation.particle_spacing());
 }
 
@@ -109,12 +109,11 @@ double gap_around(const Simulation& simulation, std::span<const Vec2> corners) {
     const FluidParticles& fluid = simulation.fluid();
     const double half = 0.5 * simulation.particle_spacing();
     double nearest = (simulation.domain().high - simulation.domain().low).norm();
-    for (std::size_t i = 0; i < fluid.water && nearest > half; ++i) {
-        const Vec2 at = fluid.state[i].position();
+    for_each_in_both_halves(simulation, fluid.water, [&](std::size_t, Vec2 at) {
         const Vec2 outside = (around.low - at).cwiseMax(at - around.high);
-        if (outside.maxCoeff() >= nearest) continue;
+        if (nearest <= half || outside.maxCoeff() >= nearest) return;
         for (const Side& side : sides) nearest = std::min(nearest, side.distance(at));
-    }
+    });
     return std::max(0.0, nearest - half);
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "solver/core/errors.hpp"
+#include "solver/probes/both_halves.hpp"
 
 namespace wetdeck {
 
@@ -46,13 +47,13 @@ Surroundings surroundings(const Simulation& simulation, const Box& box) {
     const Model& model = simulation.model();
     const FluidParticles& fluid = simulation.fluid();
     Surroundings near;
-    for (std::size_t i = 0; i < fluid.size(); ++i) {
+    for_each_in_both_halves(simulation, fluid.size(), [&](std::size_t i, Vec2 at) {
+        if (!inside(at.x(), at.y())) return;
         const FluidState& p = fluid.state[i];
-        if (!inside(p.x, p.y)) continue;
         const TaitEquationOfState& law = (i < fluid.water ? model.water : model.air).eos;
-        near.fluid.push_back({p.position(), p.volume, p.pressure - model.water.eos.background_pressure,
-                              law.reference_density});
-    }
+        near.fluid.push_back(
+            {at, p.volume, p.pressure - model.water.eos.background_pressure, law.reference_density});
+    });
     for (const WallState& wall : simulation.walls().state)
         if (inside(wall.x, wall.y)) near.walls.emplace_back(wall.x, wall.y);
     return near;

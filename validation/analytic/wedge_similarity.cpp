@@ -253,7 +253,13 @@ WedgeSimilarity wedge_similarity(double deadrise) {
 }
 
 double chine_wetting_penetration(const WedgeSimilarity& wedge, double half_beam) {
-    return half_beam * std::tan(wedge.deadrise) / (1 + wedge.maximum_pressure_height);
+    constexpr double at_keel = 1e-3;  // of the penetration
+    const double height_of_peak = 1 + wedge.maximum_pressure_height;
+    if (height_of_peak < at_keel)
+        throw InputError(
+            "the largest pressure on a wedge of 45 degrees and more is at its keel, and tells not when the "
+            "chines are wet: expected a smaller deadrise, or the curve heeled_wedge_force with heel=0");
+    return half_beam * std::tan(wedge.deadrise) / height_of_peak;
 }
 
 }  // namespace wetdeck

@@ -32,7 +32,7 @@ struct WedgeSimilarity {
 WedgeSimilarity wedge_similarity(double deadrise);
 
 /// Penetration [m] at which the root of the spray (the pressure maximum) reaches the end of a face
-/// `half_beam` from the axis.
+/// `half_beam` from the axis. Throws InputError from 45 degrees on, where the maximum is at the keel.
 double chine_wetting_penetration(const WedgeSimilarity& wedge, double half_beam);
 
 }  // namespace wetdeck

@@ -79,14 +79,6 @@ void read_symmetry(const TomlTable& root, Scene& scene) {
     for (const BodySpec& spec : scene.bodies)
         if (const std::string what = asymmetry(spec, plane); !what.empty())
             refuse(fmt::format("{}: {} is", spec.name, what));
-    for (const Probe& probe : scene.probes) {
-        if (!probe.place) continue;
-        if (std::min(probe.place->begin.x(), probe.place->end.x()) < plane - tolerance)
-            table->fail("x",
-                        fmt::format("probe '{}' lies to the left of the plane, where nothing is computed: "
-                                    "place it on the other side",
-                                    probe.series.name));
-    }
     scene.symmetry = plane;
 }
 

@@ -8,8 +8,8 @@
 
 namespace wetdeck {
 
-/// Reads the plane and checks that tank, fluids, bodies and their motions are symmetric about it and that no
-/// probe lies on the other half. Throws InputError "file:line: key 'symmetry.x': what is not symmetric".
+/// Reads the plane and checks that tank, fluids, bodies and their motions are symmetric about it. Probes may
+/// lie on either half. Throws InputError "file:line: key 'symmetry.x': what is not symmetric".
 void read_symmetry(const TomlTable& root, Scene& scene);
 
 /// The half of the scene that is computed: tank and fluids end at the plane, bodies stay whole.

@@ -130,3 +130,12 @@ TEST_CASE("A deadrise outside of the covered range is refused", "[analytic]") {
     CHECK_THROWS_AS(wedge_similarity(radians(80)), InputError);
     CHECK_THROWS_AS(wedge_similarity(std::nan("")), InputError);
 }
+
+TEST_CASE("a wedge whose largest pressure is at the keel does not tell when its chines are wet",
+          "[analytic]") {
+    const auto wetting = [](double degrees) {
+        return chine_wetting_penetration(wedge_similarity(degrees * std::numbers::pi / 180), 0.25);
+    };
+    CHECK(wetting(40) > 0);
+    CHECK_THROWS_AS(wetting(50), InputError);
+}

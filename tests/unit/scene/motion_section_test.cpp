@@ -243,8 +243,7 @@ TEST_CASE("a tank may be a polygon, whose corners are solids", "[solids][scene]"
 TEST_CASE("a plane of symmetry halves the particles and keeps the body, asymmetry is refused",
           "[symmetry][scene]") {
     const std::vector<std::string> symmetric = {"water.boxes=[[0.0,0.0,1.0,0.2]]",
-                                                "air.boxes=[[0.0,0.2,1.0,0.48]]", "symmetry.x=0.5",
-                                                "probes.depth.x=0.7"};
+                                                "air.boxes=[[0.0,0.2,1.0,0.48]]", "symmetry.x=0.5"};
     const auto said = [&](std::vector<std::string> more) {
         more.insert(more.begin(), symmetric.begin(), symmetric.end());
         return refused(more);
@@ -256,7 +255,6 @@ TEST_CASE("a plane of symmetry halves the particles and keeps the body, asymmetr
     CHECK_THAT(said({"body.velocity_x=0.1"}), Contains("its velocity is not symmetric"));
     CHECK_THAT(said({"body.free=[\"x\"]", "body.mass=5.0"}), Contains("its freedom"));
     CHECK_THAT(said({"gravity=[1.0,-9.81]"}), Contains("gravity is not symmetric"));
-    CHECK_THAT(said({"probes.depth.x=0.3"}), Contains("lies to the left of the plane"));
 }
 
 TEST_CASE("figures of a body at rest and of its entry", "[scene]") {

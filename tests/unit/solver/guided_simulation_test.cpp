@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "solver/core/errors.hpp"
+#include "solver/probes/front.hpp"
+#include "solver/probes/pressure.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
 #include "solver/setup/mirrored_body.hpp"
@@ -145,4 +147,16 @@ TEST_CASE("half of a symmetric tank gives the motion of the whole", "[symmetry][
     CHECK(other.velocity.y() == Approx(one.velocity.y()).epsilon(1e-6));
     CHECK(other.impulse.x() == 0);
     CHECK(half.momentum_error() < 1e-12);
+    // probes on either half and across the plane read the same
+    for (const double x : {0.2, 0.39, 0.4, 0.6}) {
+        CAPTURE(x);
+        const PressureGauge floor({x, 0}, {0, 1}, 0.06);
+        CHECK(floor.sample(half) == Approx(floor.sample(whole)).epsilon(1e-4));
+        CHECK(water_depth(half, x, 0.1) == Approx(water_depth(whole, x, 0.1)).epsilon(1e-4));
+    }
+    CHECK(water_top(half, 0.1, 0.7, 12)[2] == Approx(water_top(whole, 0.1, 0.7, 12)[2]).epsilon(1e-4));
+    CHECK(front_position(half, {0, false, {{0, 0}, {0.8, 0.5}}}) ==
+          Approx(front_position(whole, {0, false, {{0, 0}, {0.8, 0.5}}})).margin(1e-4));
+    CHECK(gap_to_water(half, 0, {-0.1, 0}, {0, -0.06}) ==
+          Approx(gap_to_water(whole, 0, {-0.1, 0}, {0, -0.06})).margin(1e-4));
 }
