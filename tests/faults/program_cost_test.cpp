@@ -25,6 +25,27 @@ std::vector<std::string> ablate(const std::string& scene, const ScratchFolder& f
 
 }  // namespace
 
+TEST_CASE("bench compares this build with another one, pair by pair", "[faults]") {
+    const ScratchFolder folder;
+    const std::string file = folder / "against.json";
+    const Outcome done = run_program({"bench", "--against", WETDECK_PROGRAM, "--threads", "1", "--dx", "0.1",
+                                      "--repeats", "2", "--json", file});
+    REQUIRE(done.code == 0);
+    CHECK_THAT(done.out, Contains("2 pairs of runs in turn") && Contains("two-phase"));
+    const json against = json_in(file);
+    for (const char* variant : {"two-phase", "single-phase"}) {
+        // the same program: a machine that is busy may slow one run of a pair down, not by more
+        CHECK(against.at("ratio").at(variant).get<double>() > 0.2);
+        CHECK(against.at("ratio").at(variant).get<double>() < 5);
+    }
+    const Outcome missing = run_program({"bench", "--against", folder / "nothing"});
+    CHECK(missing.code == 2);
+    CHECK_THAT(missing.err, Contains("no such program"));
+    const Outcome other = run_program({"bench", "--against", "/bin/false"});
+    CHECK(other.code == 2);
+    CHECK_THAT(other.err, Contains("--version ended with status 1"));
+}
+
 TEST_CASE("bench measures every stage, and no pass beats the limits of the machine", "[faults]") {
     const ScratchFolder folder;
     const std::string file = folder / "bench.json";

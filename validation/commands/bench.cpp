@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "validation/benchmark/against.hpp"
 #include "validation/benchmark/benchmark.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
@@ -16,15 +17,28 @@ namespace {
 
 struct BenchOptions {
     BenchmarkOptions benchmark;
+    std::string against;              ///< another build of this program; empty: none
     std::optional<std::string> json;  ///< file; empty: stdout, in place of the table
 };
 
-int bench(const BenchOptions& options) {
-    const Benchmark benchmark = run_benchmark(options.benchmark);
-    const std::string text = benchmark_json(benchmark).dump(1) + "\n";
+/// A table, or JSON in its place, or both where there is a file for it.
+void print(const BenchOptions& options, const nlohmann::json& json, const std::string& table) {
+    const std::string text = json.dump(1) + "\n";
     const bool to_file = options.json && !options.json->empty();
     if (to_file) atomic_write(*options.json, text);
-    fmt::print("{}", options.json && !to_file ? text : benchmark_table(benchmark));
+    fmt::print("{}", options.json && !to_file ? text : table);
+}
+
+int bench(const BenchOptions& options) {
+    const BenchmarkOptions& chosen = options.benchmark;
+    if (!options.against.empty()) {
+        const Comparison comparison =
+            compare_builds({options.against, chosen.particle_spacing, chosen.repeats, chosen.threads});
+        print(options, comparison_json(comparison), comparison_table(comparison));
+        return exit_done;
+    }
+    const Benchmark benchmark = run_benchmark(chosen);
+    print(options, benchmark_json(benchmark), benchmark_table(benchmark));
     return exit_done;
 }
 
@@ -52,6 +66,11 @@ void add_bench(CLI::App& app, int& exit_code) {
                                           "of the sums over pairs: double or mixed (default: double)")
         ->check(CLI::IsMember({"double", "mixed"}))
         ->type_name("P");
+    command
+        .add_option(
+            "--against", options->against,
+            "instead: the speed of whole runs over that of another build of wetdeck, in pairs in turn")
+        ->type_name("PROGRAM");
     const auto set_json = [json = &options->json](const std::string& file) { *json = file; };
     command
         .add_option_function<std::string>("--json", set_json,
