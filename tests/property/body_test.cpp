@@ -31,14 +31,14 @@ Simulation body_in_blob(const Model& model, int threads) {
     return setup.simulate();
 }
 
-struct Motion {
+struct PoseAndSpeed {
     Vec2 momentum = Vec2::Zero();
     double angular = 0;  ///< about the origin
     double sizes = 0, angular_sizes = 0;
 };
 
-Motion motion_of(const Simulation& s) {
-    Motion sum;
+PoseAndSpeed motion_of(const Simulation& s) {
+    PoseAndSpeed sum;
     const auto add = [&](double mass, Vec2 r, Vec2 v, double spin) {
         sum.momentum += mass * v;
         sum.angular += mass * (r.x() * v.y() - r.y() * v.x()) + spin;
@@ -60,13 +60,13 @@ TEST_CASE("Fluid and body together keep linear and angular momentum to rounding"
     model.impedance_mean = ImpedanceMean::arithmetic;
     if (!model.dissipation_switch) model.air_substeps = GENERATE(1, 3);
     Simulation simulation = body_in_blob(model, 1);
-    const Motion before = motion_of(simulation);
+    const PoseAndSpeed before = motion_of(simulation);
     const Vec2 velocity = simulation.bodies()[0].velocity;
     for (int n = 0; n < 25; ++n) {  // without dissipation air is thrown off from the 32nd on
         const auto instability = simulation.step(1);
         if (instability) FAIL(instability->describe());
     }
-    const Motion after = motion_of(simulation);
+    const PoseAndSpeed after = motion_of(simulation);
     CHECK((after.momentum - before.momentum).norm() < 1e-11 * before.sizes);
     // all pair forces point along the line between the two
     CHECK(std::abs(after.angular - before.angular) < 1e-11 * before.angular_sizes);
