@@ -57,6 +57,9 @@ TEST_PROBLEM(released_column)
 TEST_PROBLEM(free_flight)
 TEST_PROBLEM(floating_body)
 TEST_PROBLEM(heave_decay)
+TEST_PROBLEM(roll_decay)
+TEST_PROBLEM(oscillating_cylinder)
+TEST_PROBLEM(moving_tank)
 
 TEST_CASE("Every quick problem has a test case", "[problems]") {
     std::vector<std::string> quick;
