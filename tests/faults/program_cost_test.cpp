@@ -28,7 +28,7 @@ std::vector<std::string> ablate(const std::string& scene, const ScratchFolder& f
 TEST_CASE("bench compares this build with another one, pair by pair", "[faults]") {
     const ScratchFolder folder;
     const std::string file = folder / "against.json";
-    const Outcome done = run_program({"bench", "--against", WETDECK_PROGRAM, "--threads", "1", "--dx", "0.1",
+    const Outcome done = run_program({"bench", "--against", WETDECK_PROGRAM, "--threads", "1", "--dx", "0.04",
                                       "--repeats", "2", "--json", file});
     REQUIRE(done.code == 0);
     CHECK_THAT(done.out, Contains("2 pairs of runs in turn") && Contains("two-phase"));
