@@ -21,7 +21,6 @@ using Touches = std::vector<Touch>;
 /// One side of an outline, placed.
 struct Side {
     Vec2 from, to, outwards;
-    Vec2 outwards_before;  ///< of the side that ends where this one begins
 
     double distance(Vec2 point) const {
         const Vec2 along = to - from;
@@ -35,26 +34,18 @@ struct Side {
     }
 };
 
-/// Adds the sides of an outline of the body, placed.
-void add_sides(const RigidBody& body, const std::vector<Vec2>& outline, std::vector<Side>& sides) {
-    const std::size_t n = outline.size(), first = sides.size();
+/// The sides of a body; side k begins at corner k.
+std::vector<Side> sides_of(const RigidBody& body) {
+    const std::size_t n = body.corners.size();
     const Eigen::Matrix2d axes = body.axes();
     double area = 0;
-    for (std::size_t k = 0; k < n; ++k) area += cross(outline[k], outline[(k + 1) % n]);
-    for (std::size_t k = 0; k < n; ++k) {
-        const Vec2 from = axes * outline[k], to = axes * outline[(k + 1) % n];
-        const Vec2 right = Vec2((to - from).y(), (from - to).x()).normalized();
-        sides.push_back(
-            {body.position + from, body.position + to, area > 0 ? right : Vec2(-right), Vec2(0, 0)});
-    }
-    for (std::size_t k = 0; k < n; ++k)
-        sides[first + k].outwards_before = sides[first + (k + n - 1) % n].outwards;
-}
-
-/// The sides of all outlines of a body.
-std::vector<Side> sides_of(const RigidBody& body) {
+    for (std::size_t k = 0; k < n; ++k) area += cross(body.corners[k], body.corners[(k + 1) % n]);
     std::vector<Side> sides;
-    for (const std::vector<Vec2>& outline : body.outlines) add_sides(body, outline, sides);
+    for (std::size_t k = 0; k < n; ++k) {
+        const Vec2 from = axes * body.corners[k], to = axes * body.corners[(k + 1) % n];
+        const Vec2 right = Vec2((to - from).y(), (from - to).x()).normalized();
+        sides.push_back({body.position + from, body.position + to, area > 0 ? right : Vec2(-right)});
+    }
     return sides;
 }
 
@@ -73,13 +64,13 @@ struct WayOut {
 /// A corner has come through a side that faces one of the two sides beside it, near and squarely: the least
 /// distance over the cosine of the angle between their normals tells. Where two sides are as likely, at a
 /// corner that meets a corner, the way leads between them.
-WayOut way_out(const Side& after, const std::vector<Side>& other) {
+WayOut way_out(const Side& before, const Side& after, const std::vector<Side>& other) {
     constexpr double parallel = 1e-9, alike = 1e-6;
     WayOut way;
     double least = std::numeric_limits<double>::infinity();
     for (const Side& side : other) {
         const double cosine =
-            -std::min(side.outwards.dot(after.outwards_before), side.outwards.dot(after.outwards));
+            -std::min(side.outwards.dot(before.outwards), side.outwards.dot(after.outwards));
         if (cosine < parallel) continue;
         const double distance = side.distance(after.from), score = distance / cosine;
         if (score > (1 + alike) * least) continue;
@@ -95,12 +86,13 @@ WayOut way_out(const Side& after, const std::vector<Side>& other) {
 /// push on the corner into that on the first body of the pair.
 void add_corners(const std::vector<Side>& own, const std::vector<Side>& other, double margin, double sign,
                  Touches& touches) {
-    for (const Side& after : own) {
-        const WayOut way = way_out(after, other);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        const Side &after = own[k], &before = own[(k + own.size() - 1) % own.size()];
+        const WayOut way = way_out(before, after, other);
         if (!std::isfinite(way.distance)) continue;
         // a corner on the line of a side is inside if the body behind the corner is
         const double nudge = 1e-9 * (after.to - after.from).norm();
-        const bool behind = inside(other, after.from - nudge * (after.outwards + after.outwards_before));
+        const bool behind = inside(other, after.from - nudge * (after.outwards + before.outwards));
         if (!behind && way.distance >= margin) continue;
         touches.push_back({after.from, sign * way.normal, (behind ? 1 : -1) * way.distance});
     }
@@ -119,12 +111,10 @@ Touches touches_of(const RigidBody& body, const RigidBody& other, double margin)
 Touches touches_of(const RigidBody& body, Vec2 on, Vec2 normal, double margin) {
     const Eigen::Matrix2d axes = body.axes();
     Touches touches;
-    for (const std::vector<Vec2>& outline : body.outlines) {
-        for (const Vec2& corner : outline) {
-            const Vec2 at = body.position + axes * corner;
-            const double depth = (on - at).dot(normal);
-            if (depth > -margin) touches.push_back({at, normal, depth});
-        }
+    for (const Vec2& corner : body.corners) {
+        const Vec2 at = body.position + axes * corner;
+        const double depth = (on - at).dot(normal);
+        if (depth > -margin) touches.push_back({at, normal, depth});
     }
     return touches;
 }
@@ -148,8 +138,7 @@ struct Mobility {
 /// Of the farthest corner about the mass centre [m].
 double reach_of(const RigidBody& body) {
     double reach2 = 0;
-    for (const std::vector<Vec2>& outline : body.outlines)
-        for (const Vec2& corner : outline) reach2 = std::max(reach2, corner.squaredNorm());
+    for (const Vec2& corner : body.corners) reach2 = std::max(reach2, corner.squaredNorm());
     return std::sqrt(reach2);
 }
 

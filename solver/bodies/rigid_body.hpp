@@ -75,11 +75,11 @@ struct RigidBody {
     Vec2 acceleration = Vec2::Zero();  ///< of the mass centre [m/s^2]
     double angular_acceleration = 0;   ///< [rad/s^2]
 
-    double added_mass = 0;                         ///< of the water that follows the surface at once [kg/m]
-    double added_inertia = 0;                      ///< of the same, about the mass centre [kg m]
-    std::vector<std::vector<Vec2>> outlines = {};  ///< corners of each, in the body's frame [m]; for contact
-    double radius = 0;  ///< of the farthest boundary particle of it and what is joined to it [m]
-    bool held = false;  ///< until its release: no force moves it
+    double added_mass = 0;           ///< of the water that follows the surface at once [kg/m]
+    double added_inertia = 0;        ///< of the same, about the mass centre [kg m]
+    std::vector<Vec2> corners = {};  ///< of the outline, in the body's frame [m]; only contact needs them
+    double radius = 0;               ///< of the farthest boundary particle of it and what is joined to it [m]
+    bool held = false;               ///< until its release: no force moves it
 
     Vec2 impulse = Vec2::Zero();  ///< time integral of `force` since the start [N s/m]
     double angular_impulse = 0;   ///< time integral of `torque` [N s]

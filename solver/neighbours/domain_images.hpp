@@ -7,13 +7,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/core/domain_ends.hpp"
 #include "solver/core/vec2.hpp"
 #include "solver/particles/fluid.hpp"
 
 namespace wetdeck {
-
-/// What is beyond the left and the right end of a domain.
-enum class DomainEnds { walls, periodic, mirror_left };
 
 class DomainImages {
   public:

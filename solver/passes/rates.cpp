@@ -41,10 +41,7 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
 
 NeighbourList list_for(const RatesSetup& setup, double skin, bool with_wall_lists) {
     const double support = 2 * setup.model.smoothing_ratio * setup.particle_spacing;
-    const DomainEnds ends = setup.model.mirror_x     ? DomainEnds::mirror_left
-                            : setup.model.periodic_x ? DomainEnds::periodic
-                                                     : DomainEnds::walls;
-    return {setup.domain, setup.particle_spacing, support, skin, with_wall_lists, ends};
+    return {setup.domain, setup.particle_spacing, support, skin, with_wall_lists, setup.model.ends()};
 }
 
 }  // namespace

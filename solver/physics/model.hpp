@@ -3,6 +3,7 @@
 // and one file in physics/.
 #pragma once
 
+#include "solver/core/domain_ends.hpp"
 #include "solver/core/vec2.hpp"
 #include "solver/physics/contact.hpp"
 #include "solver/physics/dissipation.hpp"
@@ -64,6 +65,11 @@ struct Model {
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
     double fixed_step = 0;         ///< size of every step [s], 0: the stable step, Eq. (26)
     int air_substeps = 1;          ///< steps of the air in one of the water, odd; 0: from the sound speeds
+
+    /// What is beyond the ends of the domain.
+    DomainEnds ends() const {
+        return mirror_x ? DomainEnds::mirror_left : periodic_x ? DomainEnds::periodic : DomainEnds::walls;
+    }
 };
 
 }  // namespace wetdeck

@@ -52,11 +52,7 @@ void fill_box(FluidParticles& fluid, Phase phase, Box region, double particle_sp
     }
 }
 
-OpenEnds open_ends(const Model& model) {
-    return model.periodic_x ? OpenEnds::both : model.mirror_x ? OpenEnds::left : OpenEnds::none;
-}
-
-WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, OpenEnds open) {
+WallParticles tank_walls(Box tank, double particle_spacing, double support_radius, DomainEnds ends) {
     const Vec2 size = tank.high - tank.low;
     const Axis along_x = fit(size.x(), particle_spacing), along_y = fit(size.y(), particle_spacing);
     const int layers = boundary_layers(support_radius, particle_spacing);
@@ -69,8 +65,8 @@ WallParticles tank_walls(Box tank, double particle_spacing, double support_radiu
     };
     for (int column = -layers; column < along_x.count + layers; ++column) {
         for (int row = -layers; row < along_y.count + layers; ++row) {
-            const bool behind_open =
-                (column < 0 && open != OpenEnds::none) || (column >= along_x.count && open == OpenEnds::both);
+            const bool behind_open = (column < 0 && ends != DomainEnds::walls) ||
+                                     (column >= along_x.count && ends == DomainEnds::periodic);
             const bool between_ends = (column >= 0 && column < along_x.count) || behind_open;
             if (between_ends && row >= 0 && row < along_y.count) continue;
             const Vec2 position(coordinate(column, along_x, tank.low.x()),

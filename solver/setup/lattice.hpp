@@ -2,10 +2,10 @@
 // Particles on a lattice: boxes of fluid, and dummy-particle walls around a tank.
 #pragma once
 
+#include "solver/core/domain_ends.hpp"
 #include "solver/core/vec2.hpp"
 #include "solver/particles/fluid.hpp"
 #include "solver/particles/walls.hpp"
-#include "solver/physics/model.hpp"
 
 namespace wetdeck {
 
@@ -20,16 +20,11 @@ bool spacing_fits(double length, double particle_spacing);
 /// Layers of boundary particles that the kernel's support needs.
 int boundary_layers(double support_radius, double particle_spacing);
 
-/// Ends of a tank without a wall.
-enum class OpenEnds { none, left, both };
-/// Those that a model leaves open.
-OpenEnds open_ends(const Model& model);
-
 /// Layers of dummy particles around the inside of `tank`, as many as the kernel's support needs, the first
 /// half a spacing behind the face. Corner particles have the normal towards the corner. Where an end
 /// is open, at the left of a plane of symmetry or at both of a periodic tank, bed and lid run on beyond it by
 /// as many particles.
 WallParticles tank_walls(Box tank, double particle_spacing, double support_radius,
-                         OpenEnds open = OpenEnds::none);
+                         DomainEnds ends = DomainEnds::walls);
 
 }  // namespace wetdeck

@@ -4,13 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
-#include "reports/page/html.hpp"
 #include "validation/sections/section_figures.hpp"
-#include "validation/store/png.hpp"
 
 namespace wetdeck {
 namespace {
@@ -45,25 +42,9 @@ Box box_of(const std::vector<PlanLine>& lines) {
     return box;
 }
 
-/// Metres to pixels.
-struct Scale {
-    Box box;
-    double factor, margin;
-    Scale(const std::vector<PlanLine>& lines, double width, double border)
-        : box(box_of(lines)), margin(border) {
-        const Vec2 size = (box.high - box.low).cwiseMax(Vec2::Constant(1e-9));
-        factor = (width - 2 * border) / std::max(size.x(), 0.7 * size.y());
-    }
-    Vec2 operator()(Vec2 p) const {
-        return {margin + factor * (p.x() - box.low.x()), margin + factor * (box.high.y() - p.y())};
-    }
-    double width() const { return 2 * margin + factor * (box.high.x() - box.low.x()); }
-    double height() const { return 2 * margin + factor * (box.high.y() - box.low.y()); }
-};
-
 /// Where each row is labelled [pixels]: beside its point furthest out and up, further down where another
 /// label stands there already.
-std::map<std::size_t, Vec2> label_places(const std::vector<PlanLine>& lines, const Scale& scale) {
+std::map<std::size_t, Vec2> label_places(const std::vector<PlanLine>& lines, const Drawing& drawing) {
     constexpr double line_height = 12, width = 20;
     std::map<std::size_t, Vec2> places;
     for (const PlanLine& line : lines)
@@ -72,7 +53,8 @@ std::map<std::size_t, Vec2> label_places(const std::vector<PlanLine>& lines, con
             if (point.y() + std::abs(point.x()) > best.y() + std::abs(best.x())) best = point;
         }
     for (auto each = places.begin(); each != places.end(); ++each) {
-        each->second = scale(each->second) + Vec2(each->second.x() < 0 ? -width : 4, -3);
+        const Vec2 point = each->second;
+        each->second = Vec2(drawing.x(point.x()) + (point.x() < 0 ? -width : 4), drawing.y(point.y()) - 3);
         const auto covered = [&](const auto& other) {
             const Vec2 apart = (each->second - other.second).cwiseAbs();
             return apart.x() < width && apart.y() < line_height - 1e-6;
@@ -91,74 +73,12 @@ double grid_step(double length) {
     return 10 * power;
 }
 
-/// Grey levels, drawn at three times the size and averaged down.
-class Canvas {
-  public:
-    Canvas(int width, int height)
-        : width_(width),
-          height_(height),
-          dark_(static_cast<std::size_t>(fine * width) * static_cast<std::size_t>(fine * height)) {}
-
-    void line(Vec2 a, Vec2 b, double darkness) {
-        const Vec2 from = fine * a, way = fine * (b - a);
-        const int steps = std::max(1, static_cast<int>(std::ceil(2 * way.norm())));
-        for (int k = 0; k <= steps; ++k) {
-            const Vec2 at = from + way * k / steps;
-            for (int dx = -1; dx <= 1; ++dx)
-                for (int dy = -1; dy <= 1; ++dy)
-                    put(static_cast<int>(at.x()) + dx, static_cast<int>(at.y()) + dy, darkness);
-        }
-    }
-
-    /// Digits of three times five dots.
-    void number(Vec2 at, std::size_t value) {
-        static constexpr std::array<std::uint16_t, 10> digits = {075557, 026227, 071747, 071717, 055711,
-                                                                 074717, 074757, 071111, 075757, 075717};
-        for (const char digit : std::to_string(value)) {
-            const unsigned dots = digits[static_cast<std::size_t>(digit - '0')];
-            for (int dot = 0; dot < 15; ++dot)
-                if ((dots >> (14 - dot) & 1U) != 0) block(at + Vec2(2.0 * (dot % 3), 2.0 * (dot / 3)));
-            at.x() += 8;
-        }
-    }
-
-    std::vector<unsigned char> png() const {
-        constexpr int levels = 16;
-        std::vector<Rgb> palette, pixels;
-        for (int k = 0; k < levels; ++k) {
-            const auto grey = static_cast<std::uint8_t>(255 - 255 * k / (levels - 1));
-            palette.push_back({grey, grey, grey});
-        }
-        for (int y = 0; y < height_; ++y)
-            for (int x = 0; x < width_; ++x) {
-                double sum = 0;
-                for (int dy = 0; dy < fine; ++dy)
-                    for (int dx = 0; dx < fine; ++dx) sum += dark_[index(fine * x + dx, fine * y + dy)];
-                const auto grey = static_cast<std::uint8_t>(255 * (1 - sum / (fine * fine)));
-                pixels.push_back({grey, grey, grey});
-            }
-        return encode_png(pixels, width_, height_, palette);
-    }
-
-  private:
-    static constexpr int fine = 3;
-    std::size_t index(int x, int y) const {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(fine * width_) +
-               static_cast<std::size_t>(x);
-    }
-    void put(int x, int y, double darkness) {
-        if (x < 0 || y < 0 || x >= fine * width_ || y >= fine * height_) return;
-        double& dark = dark_[index(x, y)];
-        dark = std::max(dark, darkness);
-    }
-    void block(Vec2 at) {
-        for (int dx = 0; dx < 2 * fine; ++dx)
-            for (int dy = 0; dy < 2 * fine; ++dy)
-                put(static_cast<int>(fine * at.x()) + dx, static_cast<int>(fine * at.y()) + dy, 0.8);
-    }
-    int width_, height_;
-    std::vector<double> dark_;
-};
+/// The multiples of a step from `low` to `high`.
+std::vector<double> multiples(double step, double low, double high) {
+    std::vector<double> values;
+    for (double x = std::ceil(low / step - 1e-9) * step; x <= high + 1e-9; x += step) values.push_back(x);
+    return values;
+}
 
 }  // namespace
 
@@ -181,56 +101,33 @@ std::vector<PlanLine> body_plan(const SectionFile& file) {
     return lines;
 }
 
-std::string body_plan_svg(const SectionFile& file) {
+Drawing drawn_body_plan(const SectionFile& file) {
+    constexpr Stroke grid{"#dddddd"}, centre{"#888888", 1, true}, curve{"#16324f", 1.2};
     const std::vector<PlanLine> lines = body_plan(file);
-    const Scale scale(lines, 900, 50);
-    std::string body;
-    const auto stroke = [&](Vec2 a, Vec2 b, const char* style) {
-        body += fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}/>\n",
-                            scale(a).x(), scale(a).y(), scale(b).x(), scale(b).y(), style);
-    };
-    const auto label = [&](Vec2 at, const std::string& text, const char* anchor) {
-        body += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", at.x(), at.y(),
-                            anchor, report::escape(text));
-    };
-    const Box& box = scale.box;
+    Box box = box_of(lines);
+    box.high = box.high.cwiseMax(box.low + Vec2::Constant(1e-9));
+    Drawing drawing(box, "body plan", {800, 800 / 0.7});
     const double step = grid_step((box.high - box.low).maxCoeff());
-    for (double y = std::ceil(box.low.y() / step - 1e-9) * step; y <= box.high.y() + 1e-9; y += step) {
-        stroke({box.low.x(), y}, {box.high.x(), y}, "stroke=\"#ddd\"");
-        label({2, scale({0, y}).y() + 4}, fmt::format("{:.4g}", y + 0.0), "start");
+    for (const double y : multiples(step, box.low.y(), box.high.y())) {
+        drawing.line({box.low.x(), y}, {box.high.x(), y}, grid);
+        drawing.label(-6, drawing.y(y) + 4, fmt::format("{:.4g}", y + 0.0), {Anchor::end, 11});
     }
-    for (double x = std::ceil(box.low.x() / step - 1e-9) * step; x <= box.high.x() + 1e-9; x += step) {
-        stroke({x, box.low.y()}, {x, box.high.y()}, "stroke=\"#ddd\"");
-        label(scale({x, box.low.y()}) + Vec2(0, 16), fmt::format("{:.4g}", std::abs(x)), "middle");
+    for (const double x : multiples(step, box.low.x(), box.high.x())) {
+        drawing.line({x, box.low.y()}, {x, box.high.y()}, grid);
+        drawing.label(drawing.x(x), drawing.height() + 16, fmt::format("{:.4g}", std::abs(x)),
+                      {Anchor::middle, 11});
     }
-    stroke({0, box.low.y()}, {0, box.high.y()}, "stroke=\"#888\" stroke-dasharray=\"8 3 2 3\"");
-    for (const PlanLine& line : lines)
-        stroke(line.begin, line.end, "stroke=\"#16324f\" stroke-width=\"1.2\" stroke-linecap=\"round\"");
-    for (const auto& [row, place] : label_places(lines, scale)) label(place, std::to_string(row), "start");
-    const std::string title = file.drawn_as_body_plan
-                                  ? "sections as drawn; metres"
-                                  : "left: aft, right: forward; numbers: rows of the list; metres";
-    label({scale.width() / 2, scale.height() - 8}, title, "middle");
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
-        "{0:.0f} "
-        "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\" role=\"img\" aria-label=\"body plan\">\n<rect "
-        "width=\"100%\" height=\"100%\" fill=\"white\"/>\n{2}</svg>\n",
-        scale.width(), scale.height(), body);
-}
-
-std::vector<unsigned char> body_plan_png(const SectionFile& file) {
-    const std::vector<PlanLine> lines = body_plan(file);
-    const Scale scale(lines, 1200, 40);
-    Canvas canvas(static_cast<int>(std::ceil(scale.width())), static_cast<int>(std::ceil(scale.height())));
-    const Box& box = scale.box;
-    const double step = grid_step((box.high - box.low).maxCoeff());
-    for (double y = std::ceil(box.low.y() / step - 1e-9) * step; y <= box.high.y() + 1e-9; y += step)
-        canvas.line(scale({box.low.x(), y}), scale({box.high.x(), y}), 0.12);
-    canvas.line(scale({0, box.low.y()}), scale({0, box.high.y()}), 0.4);
-    for (const PlanLine& line : lines) canvas.line(scale(line.begin), scale(line.end), 1);
-    for (const auto& [row, place] : label_places(lines, scale)) canvas.number(place - Vec2(0, 8), row);
-    return canvas.png();
+    drawing.line({0, box.low.y()}, {0, box.high.y()}, centre);
+    for (const PlanLine& line : lines) drawing.line(line.begin, line.end, curve);
+    for (const auto& [row, place] : label_places(lines, drawing))
+        drawing.label(place.x(), place.y(), std::to_string(row), {Anchor::start, 11});
+    const double end = drawing.height() + 36;
+    drawing.label(drawing.width() / 2, end,
+                  file.drawn_as_body_plan ? "sections as drawn; metres"
+                                          : "left: aft, right: forward; numbers: rows of the list; metres",
+                  {Anchor::middle, 11});
+    drawing.end_at(end);
+    return drawing;
 }
 
 }  // namespace wetdeck

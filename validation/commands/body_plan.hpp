@@ -2,9 +2,9 @@
 // The body plan of a file of sections: stations aft of the middle on the left, forward ones on the right.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "validation/commands/drawing.hpp"
 #include "validation/sections/section_file.hpp"
 
 namespace wetdeck {
@@ -18,10 +18,7 @@ struct PlanLine {
 /// What the plan shows. Of a drawing, all curves as they are drawn; else of each station one half.
 std::vector<PlanLine> body_plan(const SectionFile& file);
 
-/// The plan as SVG, with heights, half breadths and the numbers of the rows.
-std::string body_plan_svg(const SectionFile& file);
-
-/// The same without letters, but for the numbers of the rows, as the bytes of a PNG file.
-std::vector<unsigned char> body_plan_png(const SectionFile& file);
+/// The plan with heights, half breadths and the numbers of the rows.
+Drawing drawn_body_plan(const SectionFile& file);
 
 }  // namespace wetdeck

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "reports/page/html.hpp"
 #include "solver/core/errors.hpp"
@@ -13,7 +14,6 @@
 namespace wetdeck {
 namespace {
 
-constexpr double largest_width = 560, largest_height = 460;  // of the tank [px]
 constexpr double left = 62, right = 80, top = 26, least_width = 520;
 
 std::string gnuplot_text(const std::string& text) {
@@ -31,9 +31,9 @@ std::string dash_of(const Stroke& stroke, const char* svg_or_gnuplot) {
 
 }  // namespace
 
-Drawing::Drawing(const Box& tank) : tank_(tank) {
-    const Vec2 size = tank.high - tank.low;
-    scale_ = std::min(largest_width / size.x(), largest_height / size.y());
+Drawing::Drawing(const Box& area, std::string name, Vec2 largest) : area_(area), name_(std::move(name)) {
+    const Vec2 size = area.high - area.low;
+    scale_ = std::min(largest.x() / size.x(), largest.y() / size.y());
 }
 
 void Drawing::polygon(const Outline& corners, const char* fill, const Stroke& edge) {
@@ -112,9 +112,8 @@ void Drawing::mark(double px, double py, std::size_t number) {
 std::string Drawing::svg() const {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.1f} {:.1f} {:.1f} {:.1f}\" "
-        "font-family=\"sans-serif\" font-size=\"13\" role=\"img\" aria-label=\"set-up of the "
-        "scene\">{}</svg>",
-        -left, -top, std::max(width(), least_width) + left + right, end_ + top, svg_);
+        "font-family=\"sans-serif\" font-size=\"13\" role=\"img\" aria-label=\"{}\">{}</svg>",
+        -left, -top, std::max(width(), least_width) + left + right, end_ + top, report::escape(name_), svg_);
 }
 
 void Drawing::write(const std::filesystem::path& file) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line drawings in the coordinates of a tank, as SVG and, by gnuplot, as PNG.
+// Line drawings in metres, as SVG and, by gnuplot, as PNG.
 #pragma once
 
 #include <filesystem>
@@ -30,12 +30,15 @@ struct TextStyle {
 /// A drawing that grows: each call adds to both renderings. Texts are placed in pixels, y down.
 class Drawing {
   public:
-    explicit Drawing(const Box& tank);
+    /// @param area     that is drawn, without the texts around it [m]
+    /// @param name     what the drawing is, for readers of the screen
+    /// @param largest  width and height of the area [px]
+    Drawing(const Box& area, std::string name, Vec2 largest);
 
-    double x(double metres) const { return (metres - tank_.low.x()) * scale_; }   ///< [px]
-    double y(double metres) const { return (tank_.high.y() - metres) * scale_; }  ///< [px]
-    double width() const { return x(tank_.high.x()); }                            ///< of the tank [px]
-    double height() const { return y(tank_.low.y()); }                            ///< of the tank [px]
+    double x(double metres) const { return (metres - area_.low.x()) * scale_; }   ///< [px]
+    double y(double metres) const { return (area_.high.y() - metres) * scale_; }  ///< [px]
+    double width() const { return x(area_.high.x()); }                            ///< of the area [px]
+    double height() const { return y(area_.low.y()); }                            ///< of the area [px]
 
     void polygon(const Outline& corners, const char* fill, const Stroke& edge = {});
     void line(Vec2 a, Vec2 b, const Stroke& stroke);
@@ -55,7 +58,8 @@ class Drawing {
   private:
     void line_px(Vec2 a, Vec2 b, const Stroke& stroke);
 
-    Box tank_;
+    Box area_;
+    std::string name_;
     double scale_, end_ = 0;
     std::string svg_, gnuplot_;
     int objects_ = 0;

@@ -17,7 +17,6 @@
 #include "validation/run/exit_code.hpp"
 #include "validation/sections/section_address.hpp"
 #include "validation/sections/section_figures.hpp"
-#include "validation/store/atomic_write.hpp"
 
 namespace wetdeck {
 namespace {
@@ -124,12 +123,7 @@ void write_picture(const SectionFile& file, const fs::path& picture, bool force)
         throw InputError(
             fmt::format("{} exists: expected another name, or --force to replace it", picture.string()));
     if (body_plan(file).empty()) throw InputError("--picture: the file holds no outline to draw");
-    if (extension == ".svg") {
-        atomic_write(picture, body_plan_svg(file));
-        return;
-    }
-    const std::vector<unsigned char> png = body_plan_png(file);
-    atomic_write(picture, std::string(png.begin(), png.end()));
+    drawn_body_plan(file).write(picture);
 }
 
 int list_sections(const SectionsOptions& options) {

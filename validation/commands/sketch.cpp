@@ -102,7 +102,7 @@ double draw_key(Drawing& drawing, const Key& key) {
 }  // namespace
 
 Drawing sketch(const Scene& scene) {
-    Drawing drawing(scene.tank);
+    Drawing drawing(scene.tank, "set-up of the scene", {560, 460});
     Key key;
     for (const BodySpec& body : scene.bodies)
         if (!body.solid) key.push_back("⊕ " + description_of(body));

@@ -94,7 +94,7 @@ FluidParticles fill(const Scene& scene, double particle_spacing) {
 WallParticles boundary(const Scene& scene, double particle_spacing) {
     constexpr double on_plane = 1e-3;  // of a spacing: what rounding leaves of a particle on the plane
     const double support = 2 * scene.model.smoothing_ratio * particle_spacing;
-    WallParticles walls = tank_walls(scene.tank, particle_spacing, support, open_ends(scene.model));
+    WallParticles walls = tank_walls(scene.tank, particle_spacing, support, scene.model.ends());
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const BodySpec& spec = scene.bodies[b];
         try {
@@ -156,7 +156,7 @@ Simulation assemble(const Scene& whole, double particle_spacing, int threads) {
     std::vector<RigidBody> bodies;
     for (const BodySpec& spec : scene.bodies) {
         bodies.push_back(spec.body);
-        if (model.contact.on()) bodies.back().outlines = {spec.local_outline()};
+        if (model.contact.on()) bodies.back().corners = spec.local_outline();
     }
     Execution execution = scene.execution;
     execution.threads = threads;

@@ -25,16 +25,24 @@ double breadth_at(const Outline& outline, double height) {
     return sum;
 }
 
-/// Height above its lowest point up to which the outline holds an area; nothing where it is smaller.
-std::optional<double> depth_for(const Outline& outline, double area) {
-    const Box extent = extent_of(outline);
-    const double whole = area_moments(outline).area;
+/// The sum of a measure over outlines.
+template <class Measure>
+double sum_over(const std::vector<Outline>& outlines, Measure measure) {
+    double sum = 0;
+    for (const Outline& outline : outlines) sum += measure(outline);
+    return sum;
+}
+
+/// Height up to which the outlines hold an area; nothing where they are smaller.
+std::optional<double> level_for(const std::vector<Outline>& outlines, const Box& extent, double area) {
+    const double whole = sum_over(outlines, [](const Outline& o) { return area_moments(o).area; });
     if (!(area > 0) || area >= whole) return std::nullopt;
-    double low = 0, high = extent.high.y() - extent.low.y();
+    double low = extent.low.y(), high = extent.high.y();
     for (int halving = 0; halving < 50; ++halving) {
         const double middle = 0.5 * (low + high);
-        const Box below{extent.low - Vec2(1, 1), {extent.high.x() + 1, extent.low.y() + middle}};
-        (shared_area(outline, corners_of(below)) < area ? low : high) = middle;
+        const Outline below = corners_of({extent.low - Vec2(1, 1), {extent.high.x() + 1, middle}});
+        const double held = sum_over(outlines, [&](const Outline& o) { return shared_area(o, below); });
+        (held < area ? low : high) = middle;
     }
     return 0.5 * (low + high);
 }
@@ -44,14 +52,17 @@ std::optional<double> depth_for(const Outline& outline, double area) {
 BodyFigures body_figures(const Scene& scene, const BodySpec& spec) {
     BodyFigures figures;
     const RigidBody& body = spec.body;
-    const Box extent = extent_of(spec.outline);
+    const std::vector<Outline> outlines = outlines_carried_by(scene, spec);
+    Box extent = extent_of(spec.outline);
+    for (const Outline& outline : outlines)
+        extent = {extent.low.cwiseMin(extent_of(outline).low), extent.high.cwiseMax(extent_of(outline).high)};
     const double density = scene.model.water.eos.reference_density, g = scene.model.gravity.norm();
-    figures.area = area_moments(spec.outline).area;
+    figures.area = sum_over(outlines, [](const Outline& o) { return area_moments(o).area; });
     figures.beam = extent.high.x() - extent.low.x();
     if (body.mass > 0 && g > 0) {
-        figures.draught = depth_for(spec.outline, body.mass / density);
-        if (figures.draught) {
-            const double b = breadth_at(spec.outline, extent.low.y() + *figures.draught);
+        if (const auto level = level_for(outlines, extent, body.mass / density)) {
+            figures.draught = *level - extent.low.y();
+            const double b = sum_over(outlines, [&](const Outline& o) { return breadth_at(o, *level); });
             const double added = density * std::numbers::pi * b * b / 8;
             if (b > 0)
                 figures.heave_period =

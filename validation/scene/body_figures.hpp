@@ -10,8 +10,8 @@ namespace wetdeck {
 
 /// What is unknown or does not apply is empty.
 struct BodyFigures {
-    double area = 0;                     ///< inside the outline [m^2]
-    double beam = 0;                     ///< largest breadth of the outline as placed [m]
+    double area = 0;                     ///< inside the outline and those joined to it [m^2]
+    double beam = 0;                     ///< breadth over all of these, as placed [m]
     std::optional<double> draught;       ///< of the body floating at rest with the angle of the start [m]
     std::optional<double> heave_period;  ///< 2 pi sqrt((M + a) / (rho g b)), b the breadth of its waterline
                                          ///< and a = rho pi b^2 / 8 the added mass of fast heave of a deep

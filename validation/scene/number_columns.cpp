@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "solver/core/errors.hpp"
+#include "validation/metrics/column_titles.hpp"
 #include "validation/metrics/units.hpp"
 #include "validation/store/text_table.hpp"
 #include "validation/store/whole_file.hpp"
@@ -17,36 +18,35 @@ namespace {
 
 constexpr std::uintmax_t largest_file = 20'000'000;  // [bytes]
 
-struct Title {
+/// A column and what its numbers are multiplied by.
+struct ScaledColumn {
     NumberColumn column;
     double factor = 1;
 };
 
-Title title_in(std::string_view cell, const TextLines& lines) {
-    Title title;
-    const std::size_t open = cell.find('[');
-    title.column.name = std::string(trimmed(cell.substr(0, open)));
-    if (title.column.name.empty()) lines.fail("a column has no title");
-    if (begins_as_number(title.column.name))
+ScaledColumn column_in(std::string_view cell, const TextLines& lines) {
+    const ColumnTitle title = title_in(cell);
+    ScaledColumn found{{std::string(title.name), std::string(title.unit), {}}};
+    if (title.name.empty()) lines.fail("a column has no title");
+    if (begins_as_number(title.name))
         lines.fail(fmt::format("'{}' is a number, expected a line of titles first, as in 't [s], y [m]'",
-                               title.column.name));
-    if (open == std::string_view::npos) return title;
-    const std::size_t close = cell.find(']', open);
-    if (close == std::string_view::npos) lines.fail("a bracket '[' is not closed");
-    title.column.unit = std::string(trimmed(cell.substr(open + 1, close - open - 1)));
+                               title.name));
+    if (!title.has_unit && cell.find('[') != std::string_view::npos)
+        lines.fail(fmt::format("'{}' is no title, expected one as in 't [s]'", cell));
+    if (!title.has_unit) return found;
     try {
-        title.factor = unit_named(title.column.unit).factor;
+        found.factor = unit_named(found.column.unit).factor;
     } catch (const InputError& error) {
         lines.fail(error.what());
     }
-    return title;
+    return found;
 }
 
 }  // namespace
 
 std::vector<NumberColumn> parse_columns(const std::string& name, const std::string& text) {
     TextLines lines(name, text);
-    std::vector<Title> titles;
+    std::vector<ScaledColumn> titles;
     std::optional<char> separator;
     while (lines.next()) {
         const std::string_view line = trimmed(without_comment(lines.line()));
@@ -60,7 +60,7 @@ std::vector<NumberColumn> parse_columns(const std::string& name, const std::stri
         std::vector<std::string_view> cells = cells_of(line, found == '\t' ? ' ' : found);
         drop_empty_end(cells, titles.size());
         if (first) {
-            for (const std::string_view cell : cells) titles.push_back(title_in(cell, lines));
+            for (const std::string_view cell : cells) titles.push_back(column_in(cell, lines));
             for (std::size_t k = 0; k < titles.size(); ++k)
                 for (std::size_t j = 0; j < k; ++j)
                     if (titles[k].column.name == titles[j].column.name)
@@ -81,7 +81,7 @@ std::vector<NumberColumn> parse_columns(const std::string& name, const std::stri
         }
     }
     std::vector<NumberColumn> columns;
-    for (Title& title : titles) columns.push_back(std::move(title.column));
+    for (ScaledColumn& title : titles) columns.push_back(std::move(title.column));
     if (columns.empty() || columns.front().values.empty())
         throw DataError(fmt::format("{}: holds no numbers", name));
     return columns;

@@ -182,11 +182,13 @@ void doubt_empty_space(const Scene& scene, Doubts& found) {
                         100 * share));
 }
 
-void doubt_mass(const BodySpec& spec, double water_density, Doubts& found) {
+void doubt_mass(const Scene& scene, const BodySpec& spec, Doubts& found) {
     const RigidBody& body = spec.body;
     if (!body.yields()) return;
     if (body.mass > 0) {
-        const double ratio = body.mass / (area_moments(spec.outline).area * water_density);
+        double area = 0;
+        for (const Outline& outline : outlines_carried_by(scene, spec)) area += area_moments(outline).area;
+        const double ratio = body.mass / (area * scene.model.water.eos.reference_density);
         if (ratio > 30 || ratio < 1.0 / 60)
             found.push_back(
                 fmt::format("{} has {:.2g} times the mass of the water it would displace: is it "
@@ -272,8 +274,7 @@ std::vector<std::string> doubtful(const Scene& scene) {
     doubt_initial(scene, found);
     doubt_empty_space(scene, found);
     if (auto text = doubtful_trapped_air(scene)) found.push_back(std::move(*text));
-    for (const BodySpec& spec : scene.bodies)
-        doubt_mass(spec, scene.model.water.eos.reference_density, found);
+    for (const BodySpec& spec : scene.bodies) doubt_mass(scene, spec, found);
     for (const BodySpec& spec : scene.bodies) doubt_half_section(spec, found);
     doubt_units(scene, found);
     for (std::string& text : motions_out_of_tank(scene)) found.push_back(std::move(text));

@@ -10,7 +10,6 @@
 
 #include "solver/core/errors.hpp"
 #include "solver/setup/initial_pressure.hpp"
-#include "solver/time/time_step.hpp"
 #include "validation/scene/expected_motion.hpp"
 #include "validation/scene/motion_section.hpp"
 #include "validation/scene/outline_file.hpp"
@@ -266,8 +265,8 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     read_bodies(root, scene);
     if (!tank_outline.empty()) add_tank_walls(tank, tank_outline, scene);
     for (const BodySpec& spec : scene.bodies) {
-        const bool samples_or_formula = !spec.solid && root.table(spec.name).has("motion");
-        if (const auto collision = collision_of_given_motion(scene, spec); collision && samples_or_formula)
+        if (spec.solid || !root.table(spec.name).has("motion")) continue;
+        if (const auto collision = collision_of_given_motion(scene, spec))
             root.table(spec.name).fail("motion", *collision);
     }
     read_initial(root, scene);
@@ -296,6 +295,14 @@ std::vector<FieldSeries> field_series(const Scene& scene) {
     return all;
 }
 
+std::vector<Outline> outlines_carried_by(const Scene& scene, const BodySpec& body) {
+    std::vector<Outline> outlines = {body.outline};
+    const auto number = static_cast<std::size_t>(&body - scene.bodies.data());
+    for (const BodySpec& other : scene.bodies)
+        if (other.body.joined_to == number) outlines.push_back(other.outline);
+    return outlines;
+}
+
 std::vector<Outline> local_outlines(const Scene& scene) {
     std::vector<Outline> outlines;
     for (const BodySpec& spec : scene.bodies) outlines.push_back(spec.local_outline());
@@ -320,39 +327,6 @@ Scene read_scene(const fs::path& path, const std::optional<std::string>& variant
     scene.path = fs::absolute(path).lexically_normal().string();  // a report may be made from anywhere
     scene.analysis.folder = fs::path(scene.path).parent_path();
     return scene;
-}
-
-CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
-    // What the default scheme reaches per core on AVX-512 over whole runs, and what a particle costs in a
-    // field file; measured over the quick and standard tiers.
-    constexpr double steps_per_second_alone = 4.9e6, steps_per_second_with_air = 6.0e6,
-                     seconds_in_frame = 1e-6;
-    // Of a particle-step: what water costs in a step of the air that leaves it alone.
-    constexpr double resting = 0.2;
-    const auto area = [](const std::vector<Box>& boxes) {
-        double sum = 0;
-        for (const Box& box : boxes) sum += (box.high - box.low).prod();
-        return sum;
-    };
-    CostEstimate cost;
-    const double volume = particle_spacing * particle_spacing;
-    const double computed = scene.symmetry ? 0.5 : 1;
-    const double water = computed * area(scene.water_boxes) / volume,
-                 air = scene.air ? computed * area(scene.air_boxes) / volume : 0;
-    cost.fluid_particles = water + air;
-    // speeds scale with the water's sound speed, which is set to ten times the fastest water
-    const double fastest = 0.15 * scene.model.water.eos.sound_speed;
-    const double h = scene.model.smoothing_ratio * particle_spacing;
-    const TimeStep step =
-        step_of(scene.model, stable_time_step(scene.model, h, {{fastest, 4 * fastest}}, true, scene.air));
-    cost.steps = scene.end_time / step.size;
-    const int substeps = scene.air ? air_substeps(scene.model) : 1;
-    cost.particle_steps = cost.steps * (water + air * substeps);
-    const double work = cost.particle_steps + resting * cost.steps * water * (substeps - 1);
-    cost.core_seconds =
-        work / (scene.air ? steps_per_second_with_air : steps_per_second_alone) +
-        cost.fluid_particles * static_cast<double>(scene.frame_times.size()) * seconds_in_frame;
-    return cost;
 }
 
 }  // namespace wetdeck

@@ -124,6 +124,8 @@ std::filesystem::path reference_directory();
 
 /// The series at the field files that a run of the scene holds.
 std::vector<FieldSeries> field_series(const Scene& scene);
+/// The outlines that move with a body at the start: its own and those joined to it [m].
+std::vector<Outline> outlines_carried_by(const Scene& scene, const BodySpec& body);
 /// Outlines of the bodies in their frames about the mass centre [m].
 std::vector<Outline> local_outlines(const Scene& scene);
 

@@ -28,8 +28,8 @@ Setup::Setup(const Model& model_, Box domain_, double particle_spacing_, bool wi
     execution.threads = 1;
     execution.instruction_set = instruction_set_from_environment();
     if (with_walls)
-        walls = tank_walls(domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing,
-                           open_ends(model));
+        walls =
+            tank_walls(domain, particle_spacing, 2 * model.smoothing_ratio * particle_spacing, model.ends());
 }
 
 void Setup::fill(Phase phase, Box box) {

@@ -286,6 +286,11 @@ TEST_CASE("two hulls that are joined have one mass centre and one mass", "[motio
     CHECK(body.mass == Approx(2 * 0.02 * 500));
     CHECK((body.position - Vec2(0.35, 0.34)).norm() < 1e-12);
     CHECK(body.inertia == Approx(2 * (10 * (0.04 + 0.01) / 12 + 10 * 0.15 * 0.15)));
+    const Scene upright = scene_with({"body.free=[\"y\"]", "body.density=500.0"}, second);
+    const BodyFigures figures = body_figures(upright, upright.bodies[0]);
+    CHECK(figures.area == Approx(0.04));
+    CHECK(figures.beam == Approx(0.5));
+    CHECK(figures.draught.value() == Approx(0.05));  // half as heavy as water: half of 0.1 m
     const BodySpec& joined = scene.bodies[1];
     CHECK(joined.body.joined_to == 0U);
     CHECK((joined.body.position - Vec2(0.35 - 0.15 * std::cos(0.1), 0.34 - 0.15 * std::sin(0.1))).norm() <

@@ -17,7 +17,7 @@ RigidBody block(Vec2 position, double angle = 0) {
     body.inertia = body.mass * (0.16 + 0.04) / 12;
     body.position = position;
     body.angle = angle;
-    body.outlines = {{{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.1}, {-0.2, 0.1}}};
+    body.corners = {{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.1}, {-0.2, 0.1}};
     body.radius = std::hypot(0.2, 0.1);
     return body;
 }
@@ -67,7 +67,7 @@ TEST_CASE("a block leaves a face with the restitution times its speed, flat or o
     CAPTURE(e, angle);
     const ContactLaw law{1e9, e};
     RigidBody body = block({2, 0}, angle);
-    const Vec2 arm = body.axes() * body.outlines[0][0];  // to the lowest corner
+    const Vec2 arm = body.axes() * body.corners[0];  // to the lowest corner
     body.position.y() = 1e-6 - arm.y();
     body.velocity = {0, -0.1};
     std::vector<RigidBody> bodies = {body};
@@ -75,7 +75,7 @@ TEST_CASE("a block leaves a face with the restitution times its speed, flat or o
     march(bodies, law, {0, 0}, 0.003, 1e-7);  // short enough that the block hardly turns
     const RigidBody& after = bodies[0];
     const double speed =
-        angle == 0 ? after.velocity.y() : after.velocity_at(after.axes() * body.outlines[0][0]).y();
+        angle == 0 ? after.velocity.y() : after.velocity_at(after.axes() * body.corners[0]).y();
     CHECK(speed == Approx(0.1 * e).epsilon(0.02));
     // 1/m = 1/M + arm^2/I at the corner that hits
     const double mass = angle == 0 ? 80 : 1 / (1 / 80.0 + arm.x() * arm.x() / body.inertia);
@@ -123,7 +123,7 @@ TEST_CASE("two bodies leave each other with the restitution, wherever their face
     const bool fixed = GENERATE(false, true);
     CAPTURE(meeting.what, e, fixed);
     std::vector<RigidBody> bodies = {block({1, 1}), block({2, 1 + meeting.shift}, meeting.angle)};
-    for (Vec2& corner : bodies[1].outlines[0]) corner.y() *= meeting.height;
+    for (Vec2& corner : bodies[1].corners) corner.y() *= meeting.height;
     for (RigidBody& body : bodies) body.free = {true, false, false};
     if (fixed) bodies[1].free = {false, false, false};
     const double before = 0.1;
@@ -157,10 +157,10 @@ TEST_CASE("the frequency of contacts is that of a mass on its springs, and 0 far
 TEST_CASE("bodies that meet corner to corner do not turn, and stacked ones do not slide", "[contact]") {
     std::vector<RigidBody> round = {block({1, 1}), block({2, 1})};
     for (RigidBody& body : round) {
-        body.outlines[0].clear();
+        body.corners.clear();
         for (int k = 0; k < 48; ++k)
-            body.outlines[0].emplace_back(0.2 * std::cos(k * std::numbers::pi / 24),
-                                          0.2 * std::sin(k * std::numbers::pi / 24));
+            body.corners.emplace_back(0.2 * std::cos(k * std::numbers::pi / 24),
+                                      0.2 * std::sin(k * std::numbers::pi / 24));
     }
     round[1].position.x() = 1.4001;
     round[0].velocity = {0.1, 0};

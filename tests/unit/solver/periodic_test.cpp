@@ -24,7 +24,7 @@ samples::Setup channel(double shift, Model model = samples::two_phase_model()) {
     model.periodic_x = true;
     model.gravity = {0.7, -9.81};
     samples::Setup setup(model, {{0, 0}, {period, tank_height}}, spacing);
-    setup.walls = tank_walls(setup.domain, spacing, 2 * model.smoothing_ratio * spacing, open_ends(model));
+    setup.walls = tank_walls(setup.domain, spacing, 2 * model.smoothing_ratio * spacing, model.ends());
     fill_box(setup.fluid, Phase::water, {{0, 0}, {period, 0.3}}, spacing, 1000);
     fill_box(setup.fluid, Phase::air, {{0, 0.3}, {period, tank_height}}, spacing, 1);
     for (std::size_t i = 0; i < setup.fluid.size(); ++i) {
@@ -61,7 +61,8 @@ TEST_CASE("A periodic domain three times as long with the same in it thrice has 
     const samples::Setup one = channel(0);
     samples::Setup three = one;
     three.domain.high.x() = 3 * period;
-    three.walls = tank_walls(three.domain, spacing, 2 * one.model.smoothing_ratio * spacing, OpenEnds::both);
+    three.walls =
+        tank_walls(three.domain, spacing, 2 * one.model.smoothing_ratio * spacing, DomainEnds::periodic);
     three.fluid = {};
     for (const Phase phase : {Phase::water, Phase::air}) {
         for (int copy = 0; copy < 3; ++copy) {
@@ -163,7 +164,7 @@ TEST_CASE("What a periodic domain cannot have is refused", "[periodic]") {
 
 TEST_CASE("Bed and lid of a periodic tank run on beyond its ends", "[periodic]") {
     const Box tank{{0, 0}, {1, 0.5}};
-    const WallParticles walls = tank_walls(tank, 0.05, 0.125, OpenEnds::both);
+    const WallParticles walls = tank_walls(tank, 0.05, 0.125, DomainEnds::periodic);
     CHECK(walls.size() == 2 * 3 * (20 + 6));
     for (const WallState& w : walls.state) {
         CHECK((w.y < 0 || w.y > 0.5));
