@@ -118,7 +118,7 @@ std::string Drawing::svg() const {
 
 void Drawing::write(const std::filesystem::path& file) const {
     const std::string ending = file.extension();
-    if (ending == ".svg") return atomic_write(file, svg());
+    if (ending == ".svg") return atomic_write(file, svg() + "\n");
     if (ending != ".png")
         throw InputError(fmt::format("{}: expected a file name that ends in .png or .svg", file.string()));
     constexpr double pixels = 2;  // of the picture in one of the drawing
