@@ -15,7 +15,7 @@ function(wetdeck_define_build_info)
   endforeach()
 
   set(libraries "")
-  foreach(library IN ITEMS Eigen3 HDF5 GSL fmt nlohmann_json tomlplusplus CLI11 VTK)
+  foreach(library IN ITEMS Eigen3 HDF5 GSL fmt nlohmann_json tomlplusplus muparser CLI11 VTK)
     if(${library}_VERSION)
       list(APPEND libraries "${library} ${${library}_VERSION}")
     endif()

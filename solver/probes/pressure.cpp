@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "solver/core/errors.hpp"
 #include "solver/probes/both_halves.hpp"
@@ -139,6 +140,27 @@ std::vector<double> face_pressures(const Simulation& simulation, std::span<const
         pressure.push_back(bears_tension ? p : std::max(0.0, p));
     }
     return pressure;
+}
+
+double largest_mean(std::span<const double> values, double width) {
+    std::vector<double> integral = {0};
+    for (const double value : values) integral.push_back(integral.back() + value);
+    const double end = static_cast<double>(values.size());
+    const auto integral_to = [&](double x) {
+        const auto whole = static_cast<std::size_t>(std::min(std::floor(x), end - 1));
+        return integral[whole] + (x - static_cast<double>(whole)) * values[whole];
+    };
+    // the integral over a window is linear while neither of its ends passes a boundary
+    double largest = -std::numeric_limits<double>::infinity();
+    const auto take = [&](double from) {
+        if (from >= 0 && from + width <= end)
+            largest = std::max(largest, (integral_to(from + width) - integral_to(from)) / width);
+    };
+    for (double boundary = 0; boundary <= end; ++boundary) {
+        take(boundary);
+        take(boundary - width);
+    }
+    return largest;
 }
 
 FacePoint placed(const FacePoint& point, const RigidBody& body) {

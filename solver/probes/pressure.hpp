@@ -43,6 +43,10 @@ FacePoint placed(const FacePoint& point, const RigidBody& body);
 /// Gauge pressures [Pa] at the points: the background pressure is taken off.
 std::vector<double> face_pressures(const Simulation& simulation, std::span<const FacePoint> points);
 
+/// The largest mean of a row of values, each of which fills an interval of width 1, over any interval of that
+/// width, from 1 to the number of values: what a patch bears where it is worst loaded.
+double largest_mean(std::span<const double> values, double width);
+
 /// A disc on a straight face.
 class PressureGauge {
   public:

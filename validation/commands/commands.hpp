@@ -14,6 +14,7 @@ class App;
 namespace wetdeck {
 
 void add_suite(CLI::App& app, int& exit_code);
+void add_sweep(CLI::App& app, int& exit_code);
 void add_run(CLI::App& app, int& exit_code);
 void add_resume(CLI::App& app, int& exit_code);
 void add_verify(CLI::App& app, int& exit_code);

@@ -6,10 +6,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "solver/core/errors.hpp"
 #include "validation/commands/commands.hpp"
 #include "validation/commands/options.hpp"
 #include "validation/commands/publish.hpp"
 #include "validation/commands/stored_report.hpp"
+#include "validation/commands/stored_sweep.hpp"
 #include "validation/run/exit_code.hpp"
 
 namespace wetdeck {
@@ -22,6 +24,11 @@ struct ReportOptions {
 };
 
 int report_command(const ReportOptions& options) {
+    if (holds_sweep(options.directory)) {
+        if (!options.publish.empty())
+            throw InputError("option --publish: a sweep has no tier to publish, see sweep.csv");
+        return print_sweep(make_sweep_report(options.directory, options.single_file), options.directory);
+    }
     const Summary summary = make_report(options.directory, options.single_file);
     const int verdict = print_verdict(summary, options.directory);
     if (!options.publish.empty()) publish(summary, options.directory, options.publish);

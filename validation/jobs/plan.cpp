@@ -168,6 +168,7 @@ std::vector<SuiteRow> suite_rows(const PlanOptions& options) {
 
 std::string row_name(const SuiteRow& row) {
     const std::string name = fmt::format("{} {} dx {}", row.scene, row.variant, row.particle_spacing);
+    if (!row.label.empty()) return name + " " + row.label;
     if (row.overrides.empty()) return name;
     return name + " " +
            (row.overrides.size() == 1 ? row.overrides.front() : row.directory.filename().string());

@@ -24,6 +24,7 @@ struct SuiteRow {
     bool pictured = false;                     ///< whether a report may show pictures of its fields
     double fluid_particles = 0;                ///< estimated
     std::size_t frames = 0, shown_frames = 0;  ///< field files of all fields, and those that a report shows
+    std::string label = {};                    ///< in messages, in place of the overrides
 };
 
 struct PlanOptions {

@@ -85,23 +85,6 @@ std::string this_program() {
     return shell_quoted(fs::read_symlink("/proc/self/exe").string());
 }
 
-std::string suite_command(const PlanOptions& plan, const RowOptions& row) {
-    std::string command =
-        fmt::format("{} suite --tier {} --out {} --threads {} --checkpoint-interval {}", this_program(),
-                    shell_quoted(plan.tier), shell_quoted(fs::absolute(plan.directory).string()),
-                    std::max(1, row.threads), row.checkpoint_interval);
-    std::string scenes;
-    for (const std::string& scene : plan.scenes) {
-        const bool file = fs::exists(scene);
-        scenes += (scenes.empty() ? "" : ",") + (file ? fs::absolute(scene).string() : scene);
-    }
-    if (!scenes.empty()) command += " --only " + shell_quoted(scenes);
-    command += fmt::format(" --fields {}", name_of(row.fields));
-    if (plan.replicates) command += fmt::format(" --replicates {}", *plan.replicates);
-    if (row.fresh) command += " --fresh";
-    return command;
-}
-
 /// The rows that are not done: their numbers in the plan and their costs.
 struct RowsLeft {
     std::vector<std::size_t> numbers;
@@ -148,8 +131,26 @@ std::vector<std::vector<std::size_t>> grouped(const std::vector<double>& core_se
     return tasks;
 }
 
-void submit_suite(const PlanOptions& plan, const SlurmOptions& options) {
-    const fs::path folder = fs::absolute(plan.directory) / "slurm";
+std::string suite_arguments(const PlanOptions& plan, const RowOptions& row) {
+    std::string command =
+        fmt::format("suite --tier {} --out {} --threads {} --checkpoint-interval {}", shell_quoted(plan.tier),
+                    shell_quoted(fs::absolute(plan.directory).string()), std::max(1, row.threads),
+                    row.checkpoint_interval);
+    std::string scenes;
+    for (const std::string& scene : plan.scenes) {
+        const bool file = fs::exists(scene);
+        scenes += (scenes.empty() ? "" : ",") + (file ? fs::absolute(scene).string() : scene);
+    }
+    if (!scenes.empty()) command += " --only " + shell_quoted(scenes);
+    command += fmt::format(" --fields {}", name_of(row.fields));
+    if (plan.replicates) command += fmt::format(" --replicates {}", *plan.replicates);
+    if (row.fresh) command += " --fresh";
+    return command;
+}
+
+void submit_rows(const std::vector<SuiteRow>& rows, const fs::path& directory, const std::string& arguments,
+                 const SlurmOptions& options) {
+    const fs::path folder = fs::absolute(directory) / "slurm";
     if (!program_found("sbatch"))
         throw EnvironmentError(
             "--executor slurm: there is no sbatch on this machine; without the option the suite runs here");
@@ -158,10 +159,9 @@ void submit_suite(const PlanOptions& plan, const SlurmOptions& options) {
     if (const std::string jobs = jobs_left(folder / "jobs"); !jobs.empty())
         throw EnvironmentError(fmt::format("{}: jobs of this suite are still queued or running: {}",
                                            folder.string(), first_line(jobs)));
-    const std::vector<SuiteRow> rows = suite_rows(plan);
     const RowsLeft left = rows_left(rows, options.row.fresh);
     const auto tasks = grouped(left.costs);
-    atomic_write(folder / "task.sh", task_script(tasks, left.numbers, suite_command(plan, options.row)));
+    atomic_write(folder / "task.sh", task_script(tasks, left.numbers, this_program() + " " + arguments));
 
     const std::string partition =
         options.partition.empty() ? "" : "-p " + shell_quoted(options.partition) + " ";
@@ -180,7 +180,7 @@ void submit_suite(const PlanOptions& plan, const SlurmOptions& options) {
         dependency = "--dependency=afterany:" + jobs + " ";
     }
     const std::string report =
-        fmt::format("{} report {}", this_program(), shell_quoted(fs::absolute(plan.directory).string()));
+        fmt::format("{} report {}", this_program(), shell_quoted(fs::absolute(directory).string()));
     const std::string report_job = submit("-J wetdeck-report " + dependency + partition +
                                               output("report.log") + "--wrap " + shell_quoted(report),
                                           folder, mark);

@@ -21,8 +21,16 @@ struct SlurmOptions {
 /// Rows by array task, longest first: short ones share a task, so that each has some minutes of work.
 std::vector<std::vector<std::size_t>> grouped(const std::vector<double>& core_seconds);
 
-/// Submits the rows that are not done, unless jobs of the last submission are still queued or running. Throws
-/// EnvironmentError where Slurm is absent or refuses.
-void submit_suite(const PlanOptions& plan, const SlurmOptions& options);
+/// Submits the rows that are not done, unless jobs of the last submission are still queued or running, and a
+/// report of the directory. Throws EnvironmentError where Slurm is absent or refuses.
+/// @param arguments  of this program which, with `--row N` behind them, run one row
+void submit_rows(const std::vector<SuiteRow>& rows, const std::filesystem::path& directory,
+                 const std::string& arguments, const SlurmOptions& options);
+
+/// Arguments of `wetdeck suite` for submit_rows().
+std::string suite_arguments(const PlanOptions& plan, const RowOptions& row);
+
+/// A text as one word of a shell's command line.
+std::string shell_quoted(const std::string& text);
 
 }  // namespace wetdeck

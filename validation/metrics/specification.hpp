@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "validation/metrics/metric.hpp"
@@ -63,6 +64,13 @@ struct SeriesUnits {
     std::string place;
 };
 
+/// A place on a curve that several quantities of a scene make up: pressure against the size of a patch, say.
+struct CurvePlace {
+    std::string title;  ///< the same for all quantities of the curve
+    std::string label;  ///< of the abscissa, with its unit
+    double x = 0;
+};
+
 /// A scalar taken from one series. Abscissa and ordinate are divided by the scales before anything else.
 struct QuantitySpec : SeriesScaling {
     SeriesUnits units;
@@ -78,10 +86,12 @@ struct QuantitySpec : SeriesScaling {
     std::optional<double> expected;
     std::optional<double> tolerance;
     std::string expected_source;
-    std::optional<ReferenceKind> expected_kind;  ///< empty if the scene does not say
-    std::optional<double> expected_uncertainty;  ///< standard, k = 1, in the unit; empty if unknown
-    std::string assumed_reason = {};             ///< of a judgement; empty: the uncertainty is stated
-    std::optional<double> required;              ///< relative accuracy that the user asks for
+    std::optional<ReferenceKind> expected_kind;         ///< empty if the scene does not say
+    std::optional<double> expected_uncertainty;         ///< standard, k = 1, in the unit; empty if unknown
+    std::string assumed_reason = {};                    ///< of a judgement; empty: the uncertainty is stated
+    std::optional<double> required;                     ///< relative accuracy that the user asks for
+    std::vector<std::pair<std::string, double>> lines;  ///< values of other methods by name, to be drawn
+    std::optional<CurvePlace> curve;
 };
 
 /// One pair of curves: a series against a column of a reference file.

@@ -94,6 +94,14 @@ QuantitySpec read_quantity(const TomlTable& table, const Axes& axes) {
         table.fail("expected_uncertainty", "expected zero or a positive number");
     if (const char* key = missing_key(q); key != nullptr)
         table.fail(key, fmt::format("missing, the metric {} needs it", q.metric->name));
+    if (const std::optional<TomlTable> lines = table.optional_table("lines")) {
+        for (const std::string& name : lines->keys()) q.lines.emplace_back(name, lines->number(name));
+        lines->finish();
+    }
+    if (const std::optional<TomlTable> curve = table.optional_table("curve")) {
+        q.curve = {curve->text("title"), curve->text("label"), curve->number("x")};
+        curve->finish();
+    }
     if (q.tolerance && !(*q.tolerance > 0)) table.fail("tolerance", "expected a positive number");
     if (q.expected && !q.tolerance) table.fail("tolerance", "missing beside 'expected'");
     table.finish();

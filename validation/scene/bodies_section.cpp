@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -32,8 +33,24 @@ void read_freedom(const TomlTable& table, RigidBody& body) {
     }
 }
 
+/// A circle about the origin, as a polygon of even sides with its lowest corner under the centre.
+Outline read_circle(const TomlTable& circle) {
+    constexpr double most_corners = 1000;
+    const double radius = 0.5 * circle.positive("diameter"), corners = circle.number_or("corners", 96);
+    if (corners < 8 || corners > most_corners || corners != std::floor(corners))
+        circle.fail("corners", fmt::format("expected a whole number from 8 to {}", most_corners));
+    circle.finish();
+    Outline outline;
+    for (double k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * k / corners;
+        outline.emplace_back(radius * std::sin(angle), -radius * std::cos(angle));
+    }
+    return outline;
+}
+
 /// In the frame of the file. Of a mirrored body one half is given, from the keel to the deck.
 Outline read_corners(const TomlTable& table) {
+    if (table.is_table("outline")) return read_circle(table.table("outline"));
     Outline corners;
     for (const std::vector<double>& corner : table.number_rows("outline", 2))
         corners.emplace_back(corner[0], corner[1]);

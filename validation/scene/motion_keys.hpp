@@ -5,6 +5,8 @@
 namespace wetdeck {
 
 inline constexpr const char* motion_keys = R"(# Poses, motions, springs
+body.outline.diameter | m | | positive number | in place of a list of corners: a circle about the origin |
+body.outline.corners | - | 96 | 8 to 1000 | of the polygon that stands for the circle | sides of two spacings or less
 body.angle | rad | 0 | number, or "8 deg" | heel at the start: the outline is drawn upright and turned about the mass centre, counter-clockwise |
 body.density | kg/m^3 | | positive number | in place of `body.mass`: the mass follows from the area of the outline |
 body.speed | m/s | | zero or a positive number | in place of velocity_x and velocity_y: speed at the start, in `body.direction` |

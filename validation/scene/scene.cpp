@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validation/scene/scene.hpp"
+#include "validation/scene/expressions.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -274,6 +275,9 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     read_probes(root, scene);
     read_symmetry(root, scene);
     read_analysis(root, scene);
+    root.has("parameters");
+    scene.parameters = root.expressions().parameters();
+    scene.unused_parameters = root.expressions().unused();
     root.finish();
     scene.resolved = document.resolved();
     scene.probe_text = document.array_text("probes", {"note"});

@@ -87,10 +87,12 @@ struct Scene {
     InitialPressure initial;
     std::uint64_t arrangement = 0;  ///< seed of settled_arrangement; 0: the lattice
     std::vector<Probe> probes;
-    double end_time = 0;                 ///< [s]
-    double sample_interval = 0;          ///< of the probes [s]
-    double force_filter = 0;             ///< width of the moving mean of filtered forces [s]
-    std::vector<double> frame_times;     ///< of the field files [s], sorted
+    double end_time = 0;                       ///< [s]
+    double sample_interval = 0;                ///< of the probes [s]
+    double force_filter = 0;                   ///< width of the moving mean of filtered forces [s]
+    std::vector<double> frame_times;           ///< of the field files [s], sorted
+    std::map<std::string, double> parameters;  ///< of its expressions [SI, rad]
+    std::vector<std::string> unused_parameters;
     std::vector<double> picture_times;   ///< of the frames that the report shows [s]
     std::string text;                    ///< the file as read, with the outlines that it takes from others
     std::string path;                    ///< where it was read

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "solver/core/errors.hpp"
+#include "validation/scene/parameters.hpp"
 #include "validation/scene/toml_node.hpp"
 
 namespace wetdeck {
@@ -160,7 +161,7 @@ std::string TomlDocument::array_text(const std::string& key, const std::vector<s
         if (!entry.is_table()) continue;
         toml::table table = *entry.as_table();
         for (const std::string& name : without) table.erase(name);
-        all += text_of(table);
+        all += text_of(evaluated(table, *root().node_->expressions));
     }
     return all;
 }
@@ -226,13 +227,63 @@ void TomlDocument::set(const std::string& assignment) {
     merge(state_->root, parsed, where);
 }
 
+namespace {
+
+bool holds_expression(const toml::node& node) {
+    return node.is_string() && is_expression(node.as_string()->get());
+}
+
+/// Puts numbers in the place of all expressions below a node.
+void evaluate(toml::node& node, const Expressions& expressions) {
+    if (toml::table* table = node.as_table()) {
+        std::vector<std::string> computed;
+        for (auto&& [key, value] : *table) {
+            if (holds_expression(value))
+                computed.emplace_back(key.str());
+            else
+                evaluate(value, expressions);
+        }
+        for (const std::string& key : computed)
+            table->insert_or_assign(key, *number_in(*table->get(key), expressions));
+    } else if (toml::array* entries = node.as_array()) {
+        for (std::size_t k = 0; k < entries->size(); ++k) {
+            toml::node& entry = (*entries)[k];
+            if (!holds_expression(entry)) {
+                evaluate(entry, expressions);
+                continue;
+            }
+            const double number = *number_in(entry, expressions);
+            entries->insert(entries->erase(entries->begin() + static_cast<std::ptrdiff_t>(k)), number);
+        }
+    }
+}
+
+}  // namespace
+
+toml::table evaluated(const toml::table& table, const Expressions& expressions) {
+    toml::table copy = table;
+    evaluate(copy, expressions);
+    return copy;
+}
+
 TomlTable TomlDocument::root() const {
-    return TomlTable(std::make_shared<TomlTable::Node>(TomlTable::Node{&state_->root, "", state_->path, {}}));
+    const auto table_with = [this](std::shared_ptr<const Expressions> expressions) {
+        return TomlTable(std::make_shared<TomlTable::Node>(
+            TomlTable::Node{&state_->root, "", state_->path, {}, std::move(expressions)}));
+    };
+    const TomlTable plain = table_with(std::make_shared<const Expressions>());
+    const std::optional<TomlTable> parameters = plain.optional_table("parameters");
+    if (!parameters) return plain;
+    return table_with(std::make_shared<const Expressions>(read_parameters(*parameters)));
 }
 
 std::string TomlDocument::resolved() const {
+    toml::table copy = state_->root;
+    const TomlTable table = root();
+    for (auto&& [key, value] : copy)  // variants and schemes that were not laid over stay as they are
+        if (key.str() != "variants" && key.str() != "schemes") evaluate(value, *table.node_->expressions);
     std::ostringstream out;
-    out << toml::toml_formatter(state_->root);
+    out << toml::toml_formatter(copy);
     return out.str();
 }
 

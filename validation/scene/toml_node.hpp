@@ -13,6 +13,7 @@
 #include <toml++/toml.h>
 #include <set>
 
+#include "validation/scene/expressions.hpp"
 #include "validation/scene/toml_reader.hpp"
 
 namespace wetdeck {
@@ -22,7 +23,18 @@ struct TomlTable::Node {
     std::string prefix;  ///< dotted path with a trailing dot, or empty
     std::shared_ptr<const std::string> path;
     std::set<std::string> known;
+    std::shared_ptr<const Expressions> expressions;  ///< of the whole document
 };
+
+/// The number of an entry, computed where it is an expression; empty where it is none. Throws InputError as
+/// Expressions::value().
+inline std::optional<double> number_in(const toml::node& entry, const Expressions& expressions) {
+    const toml::value<std::string>* text = entry.as_string();
+    return text && is_expression(text->get()) ? expressions.value(text->get()) : entry.value<double>();
+}
+
+/// A copy of a table in which every expression is replaced by its number.
+toml::table evaluated(const toml::table& table, const Expressions& expressions);
 
 /// "FILE:LINE" of an entry; "option --set KEY=VALUE" for one from the command line.
 inline std::string place(const std::string& path, const toml::source_region& region) {

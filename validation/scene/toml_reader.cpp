@@ -22,6 +22,16 @@ bool is_slip_of(std::string given, std::string meant) {
     return rest.size() > 1 && rest[0] == other[1] && rest[1] == other[0] && rest.substr(2) == other.substr(2);
 }
 
+/// The number of an entry of that key, computed where it is an expression; empty where it is none.
+std::optional<double> number_in(const TomlTable& table, const std::string& key, const toml::node& entry,
+                                const Expressions& expressions) {
+    try {
+        return number_in(entry, expressions);
+    } catch (const InputError& error) {
+        table.fail(key, error.what());
+    }
+}
+
 }  // namespace
 
 std::string TomlTable::place_of(const std::string& key) const {
@@ -49,11 +59,20 @@ bool TomlTable::has(const std::string& key) const {
 }
 
 bool TomlTable::holds_text(const std::string& key) const {
-    return has(key) && node_->table->get(key)->is_string();
+    return has(key) && node_->table->get(key)->is_string() && !holds_expression(key);
+}
+
+bool TomlTable::holds_expression(const std::string& key) const {
+    return has(key) && node_->table->get(key)->is_string() &&
+           is_expression(node_->table->get(key)->as_string()->get());
+}
+
+std::string TomlTable::expression(const std::string& key) const {
+    return node_->table->get(key)->as_string()->get();
 }
 
 bool TomlTable::is_number(const std::string& key) const {
-    return has(key) && node_->table->get(key)->is_number();
+    return has(key) && (node_->table->get(key)->is_number() || holds_expression(key));
 }
 
 bool TomlTable::is_table(const std::string& key) const {
@@ -62,7 +81,7 @@ bool TomlTable::is_table(const std::string& key) const {
 
 std::optional<double> TomlTable::optional_number(const std::string& key) const {
     if (!has(key)) return std::nullopt;
-    const std::optional<double> value = node_->table->get(key)->value<double>();
+    const std::optional<double> value = number_in(*this, key, *node_->table->get(key), *node_->expressions);
     if (!value || !std::isfinite(*value)) fail(key, "expected a finite number");
     return value;
 }
@@ -94,7 +113,11 @@ std::string TomlTable::text(const std::string& key) const {
     if (!has(key)) fail_missing(key, "expected a text");
     const std::optional<std::string> value = node_->table->get(key)->value_exact<std::string>();
     if (!value) fail(key, "expected a text in quotes");
-    return *value;
+    try {
+        return node_->expressions->filled(*value);
+    } catch (const InputError& error) {
+        fail(key, error.what());
+    }
 }
 
 std::string TomlTable::text_or(const std::string& key, const std::string& fallback) const {
@@ -120,7 +143,7 @@ std::vector<double> TomlTable::numbers(const std::string& key, std::optional<std
     if (!array || (count && array->size() != *count)) fail(key, expected);
     std::vector<double> values;
     for (const toml::node& entry : *array) {
-        const std::optional<double> value = entry.value<double>();
+        const std::optional<double> value = number_in(*this, key, entry, *node_->expressions);
         if (!value || !std::isfinite(*value)) fail(key, expected);
         values.push_back(*value);
     }
@@ -138,7 +161,7 @@ std::vector<std::vector<double>> TomlTable::number_rows(const std::string& key, 
         if (!row || row->size() != count) fail(key, expected);
         rows.emplace_back();
         for (const toml::node& cell : *row) {
-            const std::optional<double> value = cell.value<double>();
+            const std::optional<double> value = number_in(*this, key, cell, *node_->expressions);
             if (!value || !std::isfinite(*value)) fail(key, expected);
             rows.back().push_back(*value);
         }
@@ -163,7 +186,8 @@ std::optional<TomlTable> TomlTable::optional_table(const std::string& key) const
     if (!has(key)) return std::nullopt;
     const toml::table* child = node_->table->get(key)->as_table();
     if (!child) fail(key, "expected a table");
-    return TomlTable(std::make_shared<Node>(Node{child, node_->prefix + key + ".", node_->path, {}}));
+    return TomlTable(
+        std::make_shared<Node>(Node{child, node_->prefix + key + ".", node_->path, {}, node_->expressions}));
 }
 
 TomlTable TomlTable::table(const std::string& key) const {
@@ -180,8 +204,8 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
     for (const toml::node& entry : *array) {
         if (!entry.is_table()) fail(key, "expected an array of tables");
         const std::string prefix = fmt::format("{}{}[{}].", node_->prefix, key, children.size());
-        children.push_back(
-            TomlTable(std::make_shared<Node>(Node{entry.as_table(), prefix, node_->path, {}})));
+        children.push_back(TomlTable(
+            std::make_shared<Node>(Node{entry.as_table(), prefix, node_->path, {}, node_->expressions})));
     }
     return children;
 }
@@ -191,8 +215,12 @@ std::string TomlTable::text_of(const std::string& key) const {
     toml::table alone;
     alone.insert(key, *node_->table->get(key));
     std::ostringstream out;
-    out << toml::toml_formatter(alone);
+    out << toml::toml_formatter(evaluated(alone, *node_->expressions));
     return out.str();
+}
+
+const Expressions& TomlTable::expressions() const {
+    return *node_->expressions;
 }
 
 std::vector<std::string> TomlTable::keys() const {

@@ -10,6 +10,7 @@
 
 namespace wetdeck {
 
+class Expressions;
 class TomlDocument;
 
 /// A table of a scene file. Each getter marks its key as known; `finish` rejects the keys nobody asked for.
@@ -18,7 +19,11 @@ class TomlTable {
     bool has(const std::string& key) const;
     /// Whether the entry is there and a text in quotes.
     bool holds_text(const std::string& key) const;
-    /// Whether the entry is there and a number, or a table.
+    /// Whether the entry is there and a text that stands for a number, see expressions.hpp.
+    bool holds_expression(const std::string& key) const;
+    /// That text.
+    std::string expression(const std::string& key) const;
+    /// Whether the entry is there and a number or an expression, or a table.
     bool is_number(const std::string& key) const;
     bool is_table(const std::string& key) const;
 
@@ -42,6 +47,8 @@ class TomlTable {
     std::vector<TomlTable> tables(const std::string& key) const;
     /// An entry as TOML text, sorted by key; empty where it is not there.
     std::string text_of(const std::string& key) const;
+    /// Those of the document.
+    const Expressions& expressions() const;
     /// Names of all entries, in the order of the file.
     std::vector<std::string> keys() const;
 
