@@ -38,6 +38,8 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
         scene_pages[scene.scene] = pages.address_of_page(page.name());
         add_scene_part(page, summary, scene, inputs);
     }
+    if (scene_pages.size() > 1)
+        add_library_part(pages.add("library", "Library of cases", "library"), summary, inputs, scene_pages);
     if (about_runs(summary)) add_statistics_page(pages, summary);
     if (!summary.verification.empty())
         add_verification_part(

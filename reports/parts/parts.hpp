@@ -15,6 +15,10 @@ namespace wetdeck::report {
 /// addresses by scene.
 void add_overview(Page& page, const Summary& summary, const ReportInputs& inputs,
                   const std::map<std::string, std::string>& scene_pages);
+/// The library of cases: each with its picture, what it tests, against what, verdict and cost; bias and
+/// scatter over all.
+void add_library_part(Page& page, const Summary& summary, const ReportInputs& inputs,
+                      const std::map<std::string, std::string>& scene_pages);
 /// The worst results and what would improve most, as a list.
 std::string next_steps(const Summary& summary, const std::map<std::string, std::string>& scene_pages);
 /// Runs of a scene that became unstable or failed; values and curves outside tolerance.

@@ -150,7 +150,7 @@ std::string free_fall(const Values& values) {
 
 const std::vector<Definition>& definitions() {
     constexpr double any = std::numeric_limits<double>::max(), tiny = std::numeric_limits<double>::min();
-    static const Parameter deadrise{"deadrise", 8, 70, {}};
+    static const Parameter deadrise{"deadrise", 2, 70, {}};
     static const Parameter beam{"beam", tiny, any, {}}, speed{"speed", tiny, any, {}},
         mass{"mass", tiny, any, {}};
     static const Parameter heel{"heel", -62, 62, {}}, horizontal{"horizontal", -10, 10, 0};

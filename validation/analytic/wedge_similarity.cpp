@@ -33,7 +33,7 @@ using Eigen::ArrayXd;
 using Eigen::Index;
 using std::numbers::pi;
 
-// Ranges in log r and log(tau/(1 - tau)): what is cut off is below 1e-8 of the integrals from 8 to 70
+// Ranges in log r and log(tau/(1 - tau)): what is cut off is below 1e-8 of the integrals from 2 to 70
 // degrees.
 constexpr double surface_begin = -45, surface_end = 25, face_begin = -45, step = 0.1;
 constexpr Index surface_nodes = 701, face_nodes = 1501;
@@ -232,8 +232,8 @@ void add_surface(WedgeSimilarity& wedge, const FreeSurface& surface, double unit
 
 WedgeSimilarity wedge_similarity(double deadrise) {
     const double degrees = deadrise * 180 / pi;
-    if (!(degrees > 7.999 && degrees < 70.001)) {
-        throw InputError(fmt::format("deadrise {:.6g} degrees, the wedge solution covers 8 to 70", degrees));
+    if (!(degrees > 1.999 && degrees < 70.001)) {
+        throw InputError(fmt::format("deadrise {:.6g} degrees, the wedge solution covers 2 to 70", degrees));
     }
     FreeSurface surface(deadrise);
     find_contact_angle(surface);

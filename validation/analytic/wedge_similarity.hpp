@@ -28,7 +28,7 @@ struct WedgeSimilarity {
         0;  ///< relative mismatch of two expressions for the wetted length that agree in the exact solution
 };
 
-/// The solution for a deadrise [rad] of 8 to 70 degrees; throws InputError outside of that.
+/// The solution for a deadrise [rad] of 2 to 70 degrees; throws InputError outside of that.
 WedgeSimilarity wedge_similarity(double deadrise);
 
 /// Penetration [m] at which the root of the spray (the pressure maximum) reaches the end of a face

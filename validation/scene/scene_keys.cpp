@@ -41,26 +41,22 @@ variants.NAME.scheme | | none | a scheme | ingredients of the variant's model by
 variants.NAME.expect | | stable | stable or unstable | unstable: a suite has done its work when the run becomes unstable |
 schemes.NAME | | | table | a scheme of the scene's own: keys of [model] and [air] |
 parameters.NAME | SI, rad | | number, "30 deg", or an expression | a number that expressions use: any number of the scene may be a text that
-  begins with "=", as in "= 12*pi*speed/(2*tan(deadrise))", and a text may hold "{= speed}" | what `wetdeck sweep --over` varies
+  begins with "=", as in "= 12*speed", and a text may hold "{= speed}" | what `wetdeck sweep --over` varies
 tiers.TIER.VARIANT | m | | list of spacings | the spacings that `wetdeck suite --tier TIER` runs |
-  three or more, four for a least-squares estimate, each at least 1.25 times the next finer one;
-they must divide the sides of all boxes.The finest feature(gauge, film, edge) wants five spacings,
-    a body a hundred over its beam accepted_doubts.sound_speed | | | text
-            | why a doubt about the sound speed is accepted | accepted_doubts.echo | | | text
-            | why sound that is back from the walls before the end is accepted |
-#Tank, water and air
-            tank.size | m | required | [ width, height ] | inner size of the closed tank
-            | sound must not be back from walls
-        and floor before the record of a slam ends : half of(sound speed x record) from the body,
-    and at least two beams;
-doubted where it is water.boxes | m | required | list of[x_low, y_low, x_high, y_high] |
-    where water is at the start | whole multiples of every spacing air.boxes | m | required in[air] |
-    list of[x_low, y_low, x_high, y_high] | where air is at the start | half a beam above the body;
-all that water leaves free where air can be trapped air.law | | required in[air] | equal - coefficient,
-    physical or
-        sound - speed | how the sound speed of the air follows | physical(377 m / s) wherever air is trapped
-        or squeezed; equal-coefficient is that of Yang et al. (2020), too soft for it
-#The start
+  three or more, four for a least-squares estimate, each at least 1.25 times the next finer one; they must divide the sides of
+  all boxes. The finest feature (gauge, film, edge) wants five spacings, a body a hundred over its beam
+accepted_doubts.sound_speed | | | text | why a doubt about the sound speed is accepted |
+accepted_doubts.echo | | | text | why sound that is back from the walls before the end is accepted |
+# Tank, water and air
+tank.size | m | required | [width, height] | inner size of the closed tank |
+  sound must not be back from walls and floor before the record of a slam ends: half of (sound speed x record) from the body,
+  and at least two beams; doubted where it is
+water.boxes | m | required | list of [x_low, y_low, x_high, y_high] | where water is at the start | whole multiples of every spacing
+air.boxes | m | required in [air] | list of [x_low, y_low, x_high, y_high] | where air is at the start |
+  half a beam above the body; all that water leaves free where air can be trapped
+air.law | | required in [air] | equal-coefficient, physical or sound-speed | how the sound speed of the air follows |
+  physical (377 m/s) wherever air is trapped or squeezed; equal-coefficient is that of Yang et al. (2020), too soft for it
+# The start
 initial.pressure | | required | hydrostatic or greco | pressure at the start: that of the water above each particle,
   or that of one column just after its gate is gone, which stands free at `initial.released_face` |
 initial.surface | m | highest top of the water | number | height of the highest surface. A wet bed, and columns of different heights,
@@ -69,39 +65,29 @@ initial.released_face | m | required by greco | the free end of one column | whe
 initial.arrangement | | 0 | whole number up to 1e9 | 0: the lattice; any other: the particles lie elsewhere, each by at most a tenth of a
   spacing, as this seed draws it, and the fluid has settled with the bodies held at rest | for replicates: runs that differ by this key
   alone differ by chance alone
-#Bodies
+# Bodies
 body.outline | m | required | list of [x, y], "FILE.csv" or "FILE#station=S&part=N" | corners of the body in a frame of its own; `[body_2]`, `[body_3]`, ... are
-  further bodies with the same keys. Of a GHS file (.gf), a drawing (.dxf, `#layer=NAME`) or a table of offsets one section is asked for, in docs/sections.md | a corner every few spacings;
-parts thinner than two spacings are refused body.mirrored | | false | true or
-    false | the outline is the half from the keel to the deck | body.position | m | required | [ x, y ] |
-        where the origin of the outline lies in the tank |
-        two spacings of the coarsest run above the water body.free | | [] | list of x,
-    y, rotation | motions that the fluid can change;
-the others keep their velocity | body.mass | kg / m | required where free in x or
-    y | positive number | mass per metre of span |
-        mass of the section over its length along the hull body.mass_centre | m | centroid |
-        [ x, y ] within the bounding box of the outline | in the frame of the outline | body.inertia | kg m |
-        that of even density | positive number | about the mass centre,
-    per metre of span | one beyond ten times or
-        below a tenth of that of even density is a doubt body.velocity_x | m / s | 0 | number |
-            velocity at the start | body.velocity_y | m / s | 0 | number | velocity at the start,
-    up positive |
-        from a fall of height d to the water
-    : the speed at the water is sqrt(v ^ 2 + 2 g d) body.angular_velocity
-        | rad / s | 0 | number | at the start,
-    counter - clockwise | body.applied_force | N / m | [ 0, 0 ] |
-            [ x, y ] | a constant force besides gravity and the fluid's | body.applied_torque | N | 0 | number
-            | a constant torque about the mass centre | contact | | none | table
-            | bodies push the tank and each other.Without this table a body that touches the tank
-        or another body ends the run with exit code 3,
-    and a body that starts in touch is refused | a gap of less than half a spacing keeps all fluid out,
-    one of less than a tenth changes no force by more than some percent
-#The record
-            run.end_time
-            | s | required | positive number | simulated time | contact time and record run.sample_interval
-            | s | required | positive number | between two values of every series
-            | a two - hundredth of the record
-        or less; fewer than fifty samples are a doubt
+  further bodies with the same keys. Of a GHS file (.gf), a drawing (.dxf, `#layer=NAME`) or a table of offsets one section is asked for, in docs/sections.md | a corner every few spacings; parts thinner than two spacings are refused
+body.mirrored | | false | true or false | the outline is the half from the keel to the deck |
+body.position | m | required | [x, y] | where the origin of the outline lies in the tank | two spacings of the coarsest run above the water
+body.free | | [] | list of x, y, rotation | motions that the fluid can change; the others keep their velocity |
+body.mass | kg/m | required where free in x or y | positive number | mass per metre of span | mass of the section over its length along the hull
+body.mass_centre | m | centroid | [x, y] within the bounding box of the outline | in the frame of the outline |
+body.inertia | kg m | that of even density | positive number | about the mass centre, per metre of span |
+  one beyond ten times or below a tenth of that of even density is a doubt
+body.velocity_x | m/s | 0 | number | velocity at the start |
+body.velocity_y | m/s | 0 | number | velocity at the start, up positive |
+  from a fall of height d to the water: the speed at the water is sqrt(v^2 + 2 g d)
+body.angular_velocity | rad/s | 0 | number | at the start, counter-clockwise |
+body.applied_force | N/m | [0, 0] | [x, y] | a constant force besides gravity and the fluid's |
+body.applied_torque | N | 0 | number | a constant torque about the mass centre |
+contact | | none | table | bodies push the tank and each other. Without this table a body that touches the tank or another body
+  ends the run with exit code 3, and a body that starts in touch is refused | a gap of less than half a spacing keeps all fluid out,
+  one of less than a tenth changes no force by more than some percent
+# The record
+run.end_time | s | required | positive number | simulated time | contact time and record
+run.sample_interval | s | required | positive number | between two values of every series |
+  a two-hundredth of the record or less; fewer than fifty samples are a doubt
 run.force_filter | s | 0 | zero or a positive width | moving mean of the series that end in _filtered |
   a few sample intervals, well below the rise time of the peak
 run.frames | s | [] | list of times | field files and pictures of the report |
@@ -109,9 +95,9 @@ run.frame_interval | s | none | positive number | further field files at even in
 probes[].name | | required | text | name of the series |
 probes[].type | | required | one of the types below | what is recorded |
 probes[].note | | | text | for the report |
-probes[].centre | m | required | [x, y] | centre of a pressure gauge, on a face;
-of a body in the frame of its outline | probes[].diameter | m | required | positive number |
-    of the gauge's disc, over which the pressure is averaged | that of the sensor; at least two spacings of the coarsest run, else the value rests on a handful of particles
+probes[].centre | m | required | [x, y] | centre of a pressure gauge, on a face; of a body in the frame of its outline |
+probes[].diameter | m | required | positive number | of the gauge's disc, over which the pressure is averaged |
+  that of the sensor; at least two spacings of the coarsest run, else the value rests on a handful of particles
 probes[].body | | body | name of a body, or tank | what the gauge or face belongs to |
 probes[].from | m | required | [x, y] | first end of a face |
 probes[].to | m | required | [x, y] | last end of a face |

@@ -113,7 +113,7 @@ TEST_CASE("A wrong analytic curve is refused with what there is", "[analytic]") 
             "no analytic curve 'wegde_force', there are wedge_pressure, wedge_surface");
     refused("analytic:wedge_pressure", "missing parameter 'deadrise'");
     refused("analytic:wedge_pressure deadrise", "expected name=value");
-    refused("analytic:wedge_pressure deadrise=5", "deadrise is '5', expected a number of 8 to 70");
+    refused("analytic:wedge_pressure deadrise=1", "deadrise is '1', expected a number of 2 to 70");
     refused("analytic:wedge_pressure deadrise=3o", "deadrise is '3o'");
     refused("analytic:wedge_pressure deadrise=nan", "deadrise is 'nan'");
     refused("analytic:wedge_pressure deadrise=30 deadrise=30", "deadrise is given twice");

@@ -48,6 +48,25 @@ TEST_CASE("The similarity solution of a wedge agrees with an independent one", "
     CHECK(std::abs(wedge.closure) < 1e-5);
 }
 
+TEST_CASE("Towards a flat bottom the force becomes that of Wagner, by a first-order term", "[analytic]") {
+    // (1 - F/F_Wagner) / deadrise, which has a limit: the solution between 2 and 8 degrees is no stranger
+    const auto defect = [](double degrees) {
+        const double b = radians(degrees),
+                     wagner = std::pow(std::numbers::pi, 3) / (4 * std::pow(std::tan(b), 2));
+        const WedgeSimilarity wedge = wedge_similarity(b);
+        CAPTURE(degrees);
+        CHECK(std::abs(wedge.closure) < 1e-5);
+        return (1 - wedge.force_coefficient / wagner) / b;
+    };
+    const double at_8 = defect(8), at_7_5 = defect(7.5), at_4 = defect(4), at_2 = defect(2);
+    CHECK(at_8 < at_7_5);
+    CHECK(at_7_5 < at_4);
+    CHECK(at_4 < at_2);
+    CHECK(at_2 - at_4 == Approx((at_4 - at_8) / 2).epsilon(0.15));  // nearly straight
+    CHECK(wedge_similarity(radians(4)).force_coefficient == Approx(1489.92).epsilon(1e-5));
+    CHECK(wedge_similarity(radians(7.5)).force_coefficient == Approx(397.695).epsilon(1e-5));
+}
+
 TEST_CASE("Curves of the similarity solution fit its numbers and conserve the volume of water",
           "[analytic]") {
     const double deadrise = radians(30);

@@ -247,3 +247,14 @@ TEST_CASE("Disordered pressures scatter a reading no more than a plain kernel me
     // the same without the test of the fit: 2.2 times the squares of the mean
     CHECK(squares < 1.02 * squares_of_mean);
 }
+
+TEST_CASE("The largest mean over a patch is found wherever the patch lies", "[probe]") {
+    const std::vector<double> values = {1, 5, 3, 0};
+    CHECK(largest_mean(values, 1) == 5);
+    CHECK(largest_mean(values, 2) == 4);
+    CHECK(largest_mean(values, 4) == Approx(2.25));
+    // half a value more on the side of the larger neighbour
+    CHECK(largest_mean(values, 1.5) == Approx((5 + 0.5 * 3) / 1.5));
+    CHECK(largest_mean(values, 2.5) == Approx((0.5 * 1 + 5 + 3) / 2.5));
+    CHECK(largest_mean(std::vector<double>{-2, -1, -4}, 2) == -1.5);
+}
