@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <set>
-
 #include "reports/figures/words.hpp"
 #include "reports/parts/outcomes.hpp"
 #include "reports/parts/parts.hpp"
@@ -13,35 +10,6 @@
 
 namespace wetdeck::report {
 namespace {
-
-/// What the finest runs of a case were judged by.
-struct Judged {
-    std::size_t points = 0, within = 0;
-    std::set<std::string> kinds;
-
-    void take(bool inside, std::optional<ReferenceKind> kind) {
-        ++points;
-        within += inside ? 1 : 0;
-        kinds.insert(kind_words(kind));
-    }
-};
-
-Judged judged_in(const AnalysisSpec& scene, const Runs& finest) {
-    Judged judged;
-    for (const RunSummary* run : finest) {
-        if (run->expected_unstable) continue;
-        for (const QuantityResult& q : run->quantities) {
-            if (!q.within) continue;
-            const auto spec =
-                std::find_if(scene.quantities.begin(), scene.quantities.end(),
-                             [&q](const QuantitySpec& each) { return each.name == q.name; });
-            judged.take(*q.within, spec == scene.quantities.end() ? std::nullopt : spec->expected_kind);
-        }
-        for (const ComparisonResult& c : run->comparisons)
-            if (c.available && c.judged) judged.take(c.within, c.kind);
-    }
-    return judged;
-}
 
 std::string bias_table(const Summary& summary) {
     Table table({"class", "values", "bias (factor)", "its 95 % interval", "scatter"}, "compact");
@@ -66,7 +34,7 @@ void add_library_part(Page& page, const Summary& summary, const ReportInputs& in
     for (const AnalysisSpec& scene : scenes_of(summary)) {
         const Runs runs = runs_of(summary, scene);
         if (runs.empty()) continue;
-        const Judged judged = judged_in(scene, finest_of_each(runs));
+        const Judged judged = judged_in(scene, runs);
         const Outcome outcome = outcome_of(summary, scene);
         double cost = 0;
         for (const RunSummary* run : runs) cost += run->record.cost.core_s;
@@ -88,16 +56,18 @@ void add_library_part(Page& page, const Summary& summary, const ReportInputs& in
         within += judged.within;
         ++cases;
     }
-    page.add(paragraph(fmt::format("{} cases with {} judged values and curves at their finest spacings, {} "
-                                   "of them within tolerance.",
-                                   cases, points, within)));
+    page.add(
+        paragraph(fmt::format("{} cases with {} judged values and curves at their finest spacings, {} "
+                              "of them within tolerance.",
+                              cases, points, within)));
     page.add(table.html());
     if (const std::string bias = bias_table(summary); !bias.empty()) {
         page.section(2, "Bias and scatter over all cases");
         page.add(bias);
-        page.add(paragraph("Bias is the mean factor of computed over measured values; the page of statistics "
-                           "has every point.",
-                           "soft"));
+        page.add(
+            paragraph("Bias is the mean factor of computed over measured values; the page of statistics "
+                      "has every point.",
+                      "soft"));
     }
 }
 

@@ -204,6 +204,27 @@ std::vector<Outcome> outcomes_of(const Summary& summary) {
     return out;
 }
 
+Judged judged_in(const AnalysisSpec& scene, const Runs& runs) {
+    Judged judged;
+    const auto take = [&judged](bool inside, std::optional<ReferenceKind> kind) {
+        ++judged.points;
+        judged.within += inside ? 1 : 0;
+        judged.kinds.insert(kind_words(kind));
+    };
+    for (const RunSummary* run : finest_of_each(runs)) {
+        if (run->expected_unstable) continue;
+        for (const QuantityResult& q : run->quantities) {
+            if (!q.within) continue;
+            const auto spec = std::find_if(scene.quantities.begin(), scene.quantities.end(),
+                                           [&q](const QuantitySpec& each) { return each.name == q.name; });
+            take(*q.within, spec == scene.quantities.end() ? std::nullopt : spec->expected_kind);
+        }
+        for (const ComparisonResult& c : run->comparisons)
+            if (c.available && c.judged) take(c.within, c.kind);
+    }
+    return judged;
+}
+
 Figure outcome_figure(const Outcome& outcome) {
     Figure figure;
     figure.title = outcome.words + (outcome.curve == nullptr ? "" : ": simulation and reference");

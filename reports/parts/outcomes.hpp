@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,14 @@ struct Outcome {
 Outcome outcome_of(const Summary& summary, const AnalysisSpec& scene);
 /// Of all scenes.
 std::vector<Outcome> outcomes_of(const Summary& summary);
+
+/// What the finest runs of a scene were judged by: values with a tolerance, and curves.
+struct Judged {
+    std::size_t points = 0, within = 0;
+    std::set<std::string> kinds;  ///< of the references, in words
+};
+/// @param runs  of the scene
+Judged judged_in(const AnalysisSpec& scene, const Runs& runs);
 
 /// The curve of the main quantity over its reference; without series where the run has none.
 Figure outcome_figure(const Outcome& outcome);

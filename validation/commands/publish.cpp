@@ -2,6 +2,7 @@
 #include "validation/commands/publish.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -12,6 +13,8 @@
 #include "reports/page/strings.hpp"
 #include "reports/parts/outcomes.hpp"
 #include "solver/core/errors.hpp"
+#include "validation/commands/sketch.hpp"
+#include "validation/scene/scene.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/whole_file.hpp"
 
@@ -145,7 +148,8 @@ std::string readme(const Summary& summary, const std::set<std::string>& figures)
         out += fmt::format("\n**Incomplete**: {} runs of the tier are missing.\n", summary.missing.size());
     out +=
         "\n`wetdeck report DIR` writes the report itself beside the runs: `index.html`, one page a scene and "
-        "`statistics.html`; with `--single-file` one file for mail. It is not kept here.\n";
+        "`statistics.html`; with `--single-file` one file for mail. It is not kept here.\n\n"
+        "[library.md](library.md) shows every case with its picture, what it tests, and how it ended.\n";
     out += outcomes_section(summary) + runs_section(summary) + statistics_section(summary) +
            errors_section(summary) + "\n## Figures\n";
     for (const std::string& figure : figures) out += fmt::format("- [{0}]({0})\n", figure);
@@ -153,7 +157,45 @@ std::string readme(const Summary& summary, const std::set<std::string>& figures)
 }
 
 bool chosen(const std::string& stem) {
-    return stem.rfind("suite-", 0) == 0 || stem.ends_with("-speed-error");
+    return stem.starts_with("suite-") || stem.starts_with("set-up-") || stem.ends_with("-speed-error");
+}
+
+/// Each case with its picture, what it tests, against what, verdict and cost; writes the pictures, whose
+/// names it adds to `files`.
+std::string library(const Summary& summary, const fs::path& folder, std::set<std::string>& files) {
+    std::string rows;
+    std::size_t cases = 0, points = 0, within = 0;
+    for (const AnalysisSpec& spec : report::scenes_of(summary)) {
+        const report::Runs runs = report::runs_of(summary, spec);
+        if (runs.empty()) continue;
+        const RunRecord& r = runs.front()->record;
+        const std::string picture = fmt::format("set-up-{}.svg", report::slug(spec.scene));
+        atomic_write(folder / picture, sketch(parse_scene(r.scene_text, r.scene_path)).svg());
+        files.insert(picture);
+        const report::Judged judged = report::judged_in(spec, runs);
+        const report::Outcome outcome = report::outcome_of(summary, spec);
+        double cost = 0;
+        for (const RunSummary* run : runs) cost += run->record.cost.core_s;
+        rows +=
+            fmt::format("| <img src=\"{}\" width=\"160\"> | {} (`{}`) | {} | {} | {} of {} | {}: {} | {} |\n",
+                        picture, cell(spec.title), spec.scene, cell(spec.purpose),
+                        fmt::format("{}", fmt::join(judged.kinds, ", ")), judged.within, judged.points,
+                        cell(outcome.words), outcome.verdict, number(cost));
+        ++cases;
+        points += judged.points;
+        within += judged.within;
+    }
+    return fmt::format(
+        "# Library of cases, tier {}\n\nWritten by `wetdeck report DIR --publish` from stored runs; {}. {} "
+        "cases "
+        "with {} judged values and curves at their finest spacings, {} of them within tolerance. The scene "
+        "files "
+        "are in [validation/scenes](../../../validation/scenes).\n\n"
+        "| set-up | case | what it tests | against | within tolerance | main quantity and verdict | "
+        "core-seconds "
+        "of all runs |\n|---|---|---|---|---|---|---|\n{}{}",
+        cell(summary.tier), cell(report::stamp_of(summary)), cases, points, within, rows,
+        statistics_section(summary));
 }
 
 }  // namespace
@@ -170,6 +212,7 @@ void publish(const Summary& summary, const fs::path& directory, const fs::path& 
         atomic_write(folder / name, read_whole_file(entry.path()));
         figures.insert(name);
     }
+    atomic_write(folder / "library.md", library(summary, folder, figures));
     for (const auto& entry : fs::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();
         if (chosen(entry.path().stem().string()) && figures.count(name) == 0) fs::remove(entry.path());
