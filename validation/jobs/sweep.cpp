@@ -11,6 +11,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/metrics/units.hpp"
 #include "validation/run/assemble.hpp"
+#include "validation/scene/identity.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/text_table.hpp"
@@ -43,9 +44,7 @@ std::vector<std::string> parts_of(const std::string& text) {
 }
 
 std::string identity_at(const SweepPlan& plan, const std::vector<double>& at) {
-    RunOptions options;
-    options.particle_spacing = plan.spacings.front();
-    return identity_of(read_scene(find_scene(plan.scene), plan.variant, overrides_at(plan, at)), options);
+    return setup_identity(read_scene(find_scene(plan.scene), plan.variant, overrides_at(plan, at)));
 }
 
 /// Throws for a key whose ends give the same run.

@@ -101,7 +101,7 @@ TEST_CASE("a run with another value of a parameter is another run", "[expression
     const std::string text =
         with_parameters("rho = 1000.0\nidle = 1.0\n", "density = 1000.0", "density = \"= rho\"");
     const auto identity = [&text](const std::vector<std::string>& overrides) {
-        return identity_of(parse_scene(text, "small.toml", std::nullopt, overrides), RunOptions{});
+        return setup_identity(parse_scene(text, "small.toml", std::nullopt, overrides));
     };
     CHECK(identity({}) == identity({"parameters.rho=1000"}));
     CHECK(identity({}) != identity({"parameters.rho=1010"}));
