@@ -12,8 +12,10 @@
 #include <tuple>
 
 #include "solver/core/errors.hpp"
+#include "solver/probes/pressure.hpp"
 #include "validation/analytic/heeled_wedge.hpp"
 #include "validation/analytic/wedge_similarity.hpp"
+#include "validation/metrics/resample.hpp"
 #include "validation/store/text_table.hpp"
 
 namespace wetdeck {
@@ -42,6 +44,19 @@ double wedge_peak_pressure(double deadrise) {
 }
 double wedge_chine_depth(double deadrise, double half_beam) {
     return chine_wetting_penetration(kept(wedge_similarity, deadrise), half_beam);
+}
+/// @param length  of the patch over V t
+double wedge_patch_pressure(double deadrise, double length) {
+    const WedgeSimilarity& wedge = kept(wedge_similarity, deadrise);
+    constexpr int parts = 4000;
+    const double face = (wedge.tip_z + 1) / std::sin(deadrise);  // from the apex to the tip, over V t
+    if (!(length > 0)) throw InputError(fmt::format("a patch of the length {:.6g}", length));
+    if (length >= face)  // water at rest, as it were, beyond the tip
+        return wedge.force_coefficient / std::cos(deadrise) / length;
+    std::vector<double> pressures;
+    for (int k = 0; k < parts; ++k)
+        pressures.push_back(interpolate(wedge.pressure, -1 + (wedge.tip_z + 1) * (k + 0.5) / parts));
+    return largest_mean(pressures, std::max(1.0, parts * length / face));
 }
 double heeled_lift(double left, double right, double horizontal) {
     return kept(heeled, left, right, horizontal).force_y;
@@ -96,6 +111,10 @@ const std::vector<ExpressionFunction>& expression_functions() {
         {"wedge_force", 1,
          "F/(rho V^3 t) of a wedge of this deadrise [rad] at constant speed V, exact similarity solution"},
         {"wedge_peak_pressure", 1, "largest pressure on its faces over rho V^2/2"},
+        {"wedge_patch_pressure", 2,
+         "largest mean pressure over a patch of a face over rho V^2/2; the second number is the length of "
+         "the "
+         "patch over V t"},
         {"wedge_chine_depth", 2,
          "penetration [m] at which its pressure peak reaches a chine at this half beam [m]"},
         {"heeled_lift", 3,
@@ -132,6 +151,7 @@ struct Expressions::Parser {
         define("max", larger);
         define("wedge_force", wedge_force);
         define("wedge_peak_pressure", wedge_peak_pressure);
+        define("wedge_patch_pressure", wedge_patch_pressure);
         define("wedge_chine_depth", wedge_chine_depth);
         define("heeled_lift", heeled_lift);
         define("heeled_side_force", heeled_side_force);
