@@ -23,7 +23,8 @@ std::string sweep_csv(const SweepResult& result) {
     std::string text = fmt::format("# wetdeck sweep of {}, variant {}\n", result.scene, result.variant);
     for (const auto& [name, value] : result.provenance) text += fmt::format("# {}: {}\n", name, value);
     text +=
-        "# u_num: standard uncertainty (k = 1) of the particle spacing, from all spacings of the point; "
+        "# keys without a unit are in SI units and rad; u_num: standard uncertainty (k = 1) of the particle "
+        "spacing, from all spacings of the point; "
         "empty: unknown\n";
     std::vector<std::string> titles;
     for (const SweepAxis& axis : result.axes) titles.push_back(axis.title());

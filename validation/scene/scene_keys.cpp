@@ -137,7 +137,7 @@ quantities[].expected | | | number | value of an experiment, an exact solution o
 quantities[].tolerance | | required beside expected | positive number | how far from it a run may be |
 quantities[].expected_source | | | text | who states it |
 quantities[].expected_kind | | | KINDS | kind of the expected value |
-quantities[].expected_uncertainty | - | unknown | zero or a positive number | relative standard uncertainty that the source states |
+quantities[].expected_uncertainty | of the quantity | unknown | zero or a positive number | standard uncertainty (k = 1) that the source states |
 quantities[].assumed_uncertainty | - | | number | the same by judgement; the report marks it |
 quantities[].assumed_reason | | required beside it | text | why |
 quantities[].required | - | | positive number | relative accuracy that you need: the report says whether it is reached |
