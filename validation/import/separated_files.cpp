@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <regex>
 #include <set>
 
 #include "solver/core/errors.hpp"
@@ -72,6 +73,20 @@ void read_file(const std::string& file, const TableFormat& format, TitledRows& r
         lines.fail("the file ends without numbers");
 }
 
+/// A title with an index, "Pressure[0]", whose brackets are not those of a unit, is named "Pressure_0"; marks
+/// that separate columns or begin units in a reference curve become '_'.
+RecordColumn column_titled(std::string text) {
+    static const std::regex index(R"(\[(\d+)\])");
+    text = std::regex_replace(text, index, "_$1");
+    const ColumnTitle title = title_in(text);
+    RecordColumn column{std::string(title.name), std::string(title.unit), {}, {}, {}};
+    const auto separates = [](char c) {
+        return std::string_view(",;\"#\t[]").find(c) != std::string_view::npos;
+    };
+    std::replace_if(column.name.begin(), column.name.end(), separates, '_');
+    return column;
+}
+
 }  // namespace
 
 TitledRows read_tables(const std::vector<std::string>& files, const TableFormat& format) {
@@ -108,10 +123,7 @@ TitledRows read_tables(const std::vector<std::string>& files, const TableFormat&
 }
 
 void fill_from(CodeRecord& record, TitledRows rows) {
-    for (const std::string& text : rows.titles) {
-        const ColumnTitle title = title_in(text);
-        record.columns.push_back({std::string(title.name), std::string(title.unit), {}, {}, {}});
-    }
+    for (const std::string& text : rows.titles) record.columns.push_back(column_titled(text));
     if (record.time_unit.empty()) record.time_unit = record.columns[rows.time].unit;
     fill(record, joined(rows.segments));
     record.columns.erase(record.columns.begin() + static_cast<std::ptrdiff_t>(rows.time));

@@ -71,7 +71,7 @@ TEST_CASE("SPHinXsys: quoted and unquoted titles, headers in the middle start a 
             "Observer_Pressure.dat", head + "0   1.0   2.0   \n0.1   1.0   2.0   \n0.2   1.0   2.0   \n" +
                                          head + "0.1   5.0   6.0   \n0.2   5.0   6.0   \n")});
         REQUIRE(record.columns.size() == 2);
-        CHECK(record.columns[0].name == "Pressure[0]");
+        CHECK(record.columns[0].name == "Pressure_0");
         CHECK(record.columns[0].unit.empty());
         CHECK(record.time == std::vector<double>{0, 0.1, 0.2});
         CHECK(record.columns[0].values == std::vector<double>{1, 5, 5});
