@@ -11,7 +11,7 @@
 namespace wetdeck {
 namespace {
 
-constexpr double temperature = 300;  // [K]; only its product with R matters
+constexpr double temperature = 300;  // [K]; no law asks for it
 
 const std::map<std::string, std::string> patch_types{
     {"walls", "wall"},   {"body", "wall"}, {"symmetry", "symmetryPlane"},
@@ -56,13 +56,13 @@ std::map<std::string, std::string> fields(const FoamCase& wanted) {
                {"atmosphere", wanted.compressible
                                   ? fmt::format("type fixedValue; value {};", rest)
                                   : fmt::format("type totalPressure; p0 {}; value {};", rest, rest)}});
-    files["0/alpha.water"] =
-        field(wanted, "alpha.water", "0 0 0 0 0 0 0", foam_scalars(shares_in(wanted.mesh, wanted.water)),
-              {{"walls", gradient},
-               {"body", gradient},
-               {"inflow", "type fixedValue; value uniform 1;"},
-               {"far", gradient},
-               {"atmosphere", "type inletOutlet; inletValue uniform 0; value uniform 0;"}});
+    files["0/alpha.water"] = field(
+        wanted, "alpha.water", "0 0 0 0 0 0 0", foam_scalars(shares_in(wanted.mesh, wanted.water_boxes)),
+        {{"walls", gradient},
+         {"body", gradient},
+         {"inflow", "type fixedValue; value uniform 1;"},
+         {"far", gradient},
+         {"atmosphere", "type inletOutlet; inletValue uniform 0; value uniform 0;"}});
     if (!wanted.compressible) return files;
     const std::string calculated = fmt::format("type calculated; value {};", rest);
     const std::string warm = fmt::format("uniform {}", temperature);
@@ -77,16 +77,24 @@ std::map<std::string, std::string> fields(const FoamCase& wanted) {
     return files;
 }
 
-std::string thermophysics(const std::string& phase, const std::string& law, const std::string& state,
-                          double heat_capacity, double viscosity) {
+/// The barotropic law of Tait, rho = rho0 ((p + B)/(p0 + B))^(1/gamma), with B = 0 that of a gas without
+/// losses: the laws of this program. The heat capacity is so large that the temperature, which the law does
+/// not ask for, stays what it is: near the edge of a plate the equation of the temperature otherwise ends
+/// below zero.
+std::string thermophysics(const std::string& phase, const FoamPhase& of, double pressure) {
+    const double coefficient = of.density * of.sound_speed * of.sound_speed / of.exponent - pressure;
     return foam_head("dictionary", "thermophysicalProperties." + phase) +
            fmt::format(
                "thermoType\n{{\n    type heRhoThermo; mixture pureMixture; transport const; thermo hConst;\n"
-               "    equationOfState {}; specie specie; energy sensibleInternalEnergy;\n}}\n"
-               "mixture\n{{\n    specie {{ {} }}\n    thermodynamics {{ Cp {:.12g}; Hf 0; }}\n    transport "
-               "{{ mu {:.12g}; Pr 1; "
-               "}}\n}}\n",
-               law, state, heat_capacity, viscosity);
+               "    equationOfState adiabaticPerfectFluid; specie specie; energy "
+               "sensibleInternalEnergy;\n}}\n"
+               "mixture\n{{\n    specie {{ molWeight 18; }}\n    equationOfState {{ p0 {:.12g}; rho0 "
+               "{:.12g}; B "
+               "{:.12g}; gamma {:.12g}; }}\n    thermodynamics {{ Cp 1e7; Hf 0; }}\n    transport {{ mu "
+               "{:.12g}; Pr "
+               "1; }}\n}}\n",
+               pressure, of.density, std::abs(coefficient) < 1e-6 * pressure ? 0 : coefficient, of.exponent,
+               of.viscosity);
 }
 
 std::map<std::string, std::string> materials(const FoamCase& wanted) {
@@ -97,14 +105,13 @@ std::map<std::string, std::string> materials(const FoamCase& wanted) {
     files["constant/turbulenceProperties"] =
         foam_head("dictionary", "turbulenceProperties") + "simulationType laminar;\n";
     if (!wanted.compressible) {
-        const auto phase = [](double density, double viscosity) {
+        const auto phase = [](const FoamPhase& of) {
             return fmt::format("{{ transportModel Newtonian; nu {:.12g}; rho {:.12g}; }}\n",
-                               viscosity / density, density);
+                               of.viscosity / of.density, of.density);
         };
-        files["constant/transportProperties"] =
-            foam_head("dictionary", "transportProperties") + "phases (water air);\nwater " +
-            phase(wanted.water_density, wanted.water_viscosity) + "air " +
-            phase(wanted.air_density, wanted.air_viscosity) + "sigma 0;\n";
+        files["constant/transportProperties"] = foam_head("dictionary", "transportProperties") +
+                                                "phases (water air);\nwater " + phase(wanted.water) + "air " +
+                                                phase(wanted.air) + "sigma 0;\n";
         return files;
     }
     files["constant/hRef"] = foam_head("uniformDimensionedScalarField", "hRef") +
@@ -112,17 +119,9 @@ std::map<std::string, std::string> materials(const FoamCase& wanted) {
     files["constant/thermophysicalProperties"] =
         foam_head("dictionary", "thermophysicalProperties") +
         fmt::format("phases (water air);\npMin {:.9g};\nsigma 0;\n", 1e-3 * wanted.air_pressure);
-    const double square = wanted.water_sound_speed * wanted.water_sound_speed;
     files["constant/thermophysicalProperties.water"] =
-        thermophysics("water", "perfectFluid",
-                      fmt::format("molWeight 18; }}\n    equationOfState {{ R {:.12g}; rho0 {:.12g};",
-                                  square / temperature, wanted.water_density - wanted.air_pressure / square),
-                      4195, wanted.water_viscosity);
-    // R = p/(rho T); the molar weight of a gas with that R
-    const double gas = wanted.air_pressure / (wanted.air_density * temperature);
-    files["constant/thermophysicalProperties.air"] =
-        thermophysics("air", "perfectGas", fmt::format("molWeight {:.15g};", 8314.46261815324 / gas),
-                      gas * wanted.air_exponent / (wanted.air_exponent - 1), wanted.air_viscosity);
+        thermophysics("water", wanted.water, wanted.air_pressure);
+    files["constant/thermophysicalProperties.air"] = thermophysics("air", wanted.air, wanted.air_pressure);
     return files;
 }
 

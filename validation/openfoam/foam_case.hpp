@@ -12,6 +12,14 @@
 
 namespace wetdeck {
 
+/// One fluid.
+struct FoamPhase {
+    double density = 0;      ///< at rest [kg/m^3]
+    double viscosity = 0;    ///< dynamic [Pa s]
+    double sound_speed = 0;  ///< compressible [m/s]
+    double exponent = 1;     ///< of Tait's law, compressible
+};
+
 /// Points at which a function object `probes` reads fields: the value of the cell that holds each.
 struct FoamProbes {
     std::string name;
@@ -24,15 +32,12 @@ struct FoamProbes {
 struct FoamCase {
     PlaneMesh mesh;
     bool compressible = false;
-    double water_density = 0, air_density = 0;      ///< [kg/m^3]
-    double water_viscosity = 0, air_viscosity = 0;  ///< dynamic [Pa s]
-    double water_sound_speed = 0;                   ///< compressible [m/s]
-    double air_exponent = 1.4;                      ///< compressible
-    double air_pressure = 0;                        ///< at rest, compressible, absolute [Pa]
-    Vec2 gravity = Vec2::Zero();                    ///< [m/s^2]
-    Vec2 stream = Vec2::Zero();                     ///< velocity of all at the start and of the inflow [m/s]
+    FoamPhase water, air;
+    double air_pressure = 0;        ///< of both at rest, compressible, absolute [Pa]
+    Vec2 gravity = Vec2::Zero();    ///< [m/s^2]
+    Vec2 stream = Vec2::Zero();     ///< velocity of all at the start and of the inflow [m/s]
     double level = 0;               ///< where the pressure of the compressible case is that of the air [m]
-    std::vector<Box> water;         ///< at the start
+    std::vector<Box> water_boxes;   ///< at the start
     std::optional<Vec2> reference;  ///< of a closed tank: where the pressure is 0 [m]
     std::vector<FoamProbes> probes;
     bool has_body = false;
