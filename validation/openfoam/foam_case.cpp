@@ -91,8 +91,7 @@ std::string thermophysics(const std::string& phase, const FoamPhase& of, double 
                "mixture\n{{\n    specie {{ molWeight 18; }}\n    equationOfState {{ p0 {:.12g}; rho0 "
                "{:.12g}; B "
                "{:.12g}; gamma {:.12g}; }}\n    thermodynamics {{ Cp 1e7; Hf 0; }}\n    transport {{ mu "
-               "{:.12g}; Pr "
-               "1; }}\n}}\n",
+               "{:.12g}; Pr 1e6; }}\n}}\n",
                pressure, of.density, std::abs(coefficient) < 1e-6 * pressure ? 0 : coefficient, of.exponent,
                of.viscosity);
 }
@@ -186,8 +185,9 @@ std::string solution(const FoamCase& wanted) {
                "    \"rho.*\" {{ solver diagonal; }}\n"
                "    p_rgh {{ solver GAMG; smoother {}; tolerance {}; relTol 0.01; }}\n"
                "    p_rghFinal {{ $p_rgh; tolerance {}; relTol 0; }}\n"
-               "    \"(U|T).*\" {{ solver smoothSolver; smoother symGaussSeidel; tolerance 1e-9; relTol 0; "
-               "}}\n}}\n"
+               "    \"(U|T).*\" {{ solver smoothSolver; smoother symGaussSeidel; tolerance 1e-6; relTol 0; "
+               "maxIter "
+               "20; }}\n}}\n"
                "PIMPLE\n{{\n    momentumPredictor no;\n    transonic no;\n    nOuterCorrectors 1;\n    "
                "nCorrectors 3;\n"
                "    nNonOrthogonalCorrectors 0;\n{}}}\n",
