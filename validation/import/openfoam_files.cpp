@@ -106,8 +106,9 @@ std::optional<fs::path> case_of(const fs::path& file) {
 std::string version_in_logs(const fs::path& folder) {
     for (const fs::path& entry : entries_of(folder)) {
         if (!entry.filename().string().starts_with("log") || !fs::is_regular_file(entry)) continue;
-        for (const char* marker : {"Version  :", "Build  :", "Version:"})
-            if (std::string found = word_behind(entry.string(), marker); !found.empty()) return found;
+        if (const std::string number = word_behind(entry.string(), "OPENFOAM="); !number.empty())
+            return fmt::format("v{}", number);
+        if (std::string build = word_behind(entry.string(), "Build  :"); !build.empty()) return build;
     }
     return {};
 }

@@ -155,7 +155,7 @@ void join_parts(CodeRecord& record, const std::map<std::pair<std::string, std::s
             if (const std::string text = fmt::format("{}: {}", key.second, note); said.insert(text).second)
                 record.notes.push_back(text);
         for (RecordColumn column : part.columns) {
-            if (objects.size() > 1) column.name = key.first + "." + column.name;
+            if (objects.size() > 1) column.name = fmt::format("{}.{}", key.first, column.name);
             record.columns.push_back(std::move(column));
         }
         for (const RecordRow& row : all.rows) {
@@ -177,7 +177,7 @@ void join_parts(CodeRecord& record, const std::map<std::pair<std::string, std::s
 CodeRecord read_openfoam(const std::vector<std::string>& paths) {
     CodeRecord record;
     record.code = "OpenFOAM";
-    record.time_unit = "s";
+    record.time_unit = std::string("s");
     std::map<std::pair<std::string, std::string>, Part> parts;
     const std::vector<OpenfoamFile> files = openfoam_files(paths);
     for (const OpenfoamFile& file : files) {

@@ -141,7 +141,7 @@ TEST_CASE("The case around the files tells version, phases and layer") {
     ImportFolder folder;
     const std::string path =
         folder.write("postProcessing/hull/0/force.dat", force_head + force_row("0.1", 1));
-    folder.write("log.interFoam", "Build  : v1912 OPENFOAM=1912\n");
+    folder.write("log.interFoam", "Build  : OPENFOAM=1912 patch=200626\n");
     folder.write("constant/transportProperties", "FoamFile\n{\n}\nphases (water air);\n");
     folder.write("constant/polyMesh/points", "4\n(\n(0 0 0)\n(1 0 0)\n(2 1 0.25)\n(3 2 0.25)\n)\n");
     const CodeRecord record = read_openfoam({path});
