@@ -211,10 +211,10 @@ std::string script(const FoamCase& wanted) {
 
 }  // namespace
 
-std::map<std::string, std::string> foam_files(const FoamCase& wanted) {
+std::map<std::string, std::string> foam_files(const FoamCase& wanted, double layer) {
     std::map<std::string, std::string> files = fields(wanted);
     files.merge(materials(wanted));
-    for (auto& [name, text] : poly_mesh_files(wanted.mesh, foam_layer, patch_types))
+    for (auto& [name, text] : poly_mesh_files(wanted.mesh, layer, patch_types))
         files["constant/polyMesh/" + name] = std::move(text);
     files["system/controlDict"] = control(wanted);
     files["system/fvSchemes"] = schemes();

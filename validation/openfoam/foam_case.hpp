@@ -52,6 +52,7 @@ struct FoamCase {
 inline constexpr double foam_layer = 1.0;
 
 /// All files of the case but its notes, by path below its folder.
-std::map<std::string, std::string> foam_files(const FoamCase& wanted);
+/// @param layer  its thickness [m]
+std::map<std::string, std::string> foam_files(const FoamCase& wanted, double layer = foam_layer);
 
 }  // namespace wetdeck
