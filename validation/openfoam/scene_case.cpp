@@ -72,7 +72,8 @@ void write_wedge(const Scene& scene, const FoamBody& body, SceneCase& written) {
     FoamCase& foam = written.foam;
     const double radius =
         std::min(0.5 * (scene.tank.high.x() - scene.tank.low.x()), body.keel.y() - scene.tank.low.y());
-    foam.mesh = wedge_mesh({body.keel, *body.deadrise, body.side, radius, far_open * radius, written.cell});
+    foam.mesh = wedge_mesh({body.keel, *body.deadrise, body.side, radius,
+                            std::min(far_open, 0.5 * std::sin(*body.deadrise)) * radius, written.cell});
     // Wagner: the water wets half a breadth of pi V t/(2 tan b)
     const double gap = body.keel.y() - scene.water_boxes.front().high.y();
     const double half = body.side * std::cos(*body.deadrise);

@@ -66,7 +66,7 @@ TEST_CASE("The mesh of a plate leaves the plate out, with flat cells below it") 
 
 TEST_CASE("The mesh of a wedge follows its side and the axis with locally square cells") {
     for (const double deadrise : {10 * degree, 30 * degree, 45 * degree}) {
-        const WedgeShape shape{{2.3, 2.22}, deadrise, 0.3, 2, 0.4, 0.02};
+        const WedgeShape shape{{2.3, 2.22}, deadrise, 0.3, 2, std::sin(deadrise), 0.02};
         const PlaneMesh mesh = wedge_mesh(shape);
         for (const PlaneMesh::Side& side : mesh.boundary) {
             const Vec2 from_keel = mesh.points[side.b] - shape.keel;

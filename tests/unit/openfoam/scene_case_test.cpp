@@ -54,6 +54,15 @@ TEST_CASE("A wedge of constant speed becomes a conformal mesh until its chine is
     CHECK_THAT(foam_differences(shipped("wedge", "constant-velocity"), written), Contains("water alone"));
 }
 
+TEST_CASE("A flat wedge has an open boundary above its side, too") {
+    const Scene scene =
+        shipped("wedge", "constant-velocity", {"body.outline=[[0.0, 0.0], [0.25, 0.03], [-0.25, 0.03]]"});
+    const SceneCase written = scene_case(scene, 0.02);
+    std::size_t open = 0;
+    for (const PlaneMesh::Side& side : written.foam.mesh.boundary) open += side.patch == "atmosphere" ? 1 : 0;
+    CHECK(open > 2);
+}
+
 TEST_CASE("Scenes that fit no mesh are refused with the reason and what is supported") {
     const auto refusal = [](const Scene& scene) {
         try {
