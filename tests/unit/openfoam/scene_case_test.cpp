@@ -55,8 +55,9 @@ TEST_CASE("A wedge of constant speed becomes a conformal mesh until its chine is
 }
 
 TEST_CASE("A flat wedge has an open boundary above its side, too") {
-    const Scene scene =
-        shipped("wedge", "constant-velocity", {"body.outline=[[0.0, 0.0], [0.25, 0.03], [-0.25, 0.03]]"});
+    const Scene scene = shipped(
+        "wedge", "constant-velocity",
+        {"body.outline=[[0.0, 0.0], [0.25, 0.03], [-0.25, 0.03]]", "probes.face_pressure.to=[0.25, 0.03]"});
     const SceneCase written = scene_case(scene, 0.02);
     std::size_t open = 0;
     for (const PlaneMesh::Side& side : written.foam.mesh.boundary) open += side.patch == "atmosphere" ? 1 : 0;
