@@ -17,8 +17,9 @@ std::string title_of(const Summary& summary, const ReportInputs& inputs) {
     return summary.missing.empty() ? title : "INCOMPLETE: " + title;
 }
 
-void add_statistics_page(Pages& pages, const Summary& summary) {
+void add_statistics_page(Pages& pages, const Summary& summary, const ReportInputs& inputs) {
     Page& page = pages.add("statistics", "Statistics over all scenes", "statistics");
+    add_codes_part(page, summary, inputs.codes);
     add_verdicts_part(page, summary);
     add_statistics_part(page, summary);
     add_convergence_part(page, summary);
@@ -40,7 +41,7 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
     }
     if (scene_pages.size() > 1)
         add_library_part(pages.add("library", "Library of cases", "library"), summary, inputs, scene_pages);
-    if (about_runs(summary)) add_statistics_page(pages, summary);
+    if (about_runs(summary)) add_statistics_page(pages, summary, inputs);
     if (!summary.verification.empty())
         add_verification_part(
             pages.add("exact-solutions", "Problems with exact solutions", "exact solutions"), summary);

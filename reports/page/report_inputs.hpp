@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "validation/metrics/summary.hpp"
+
 namespace wetdeck::report {
 
 /// What the colours of a picture mean.
@@ -41,6 +43,7 @@ struct ReportInputs {
     std::map<std::string, std::string> sketches;            ///< SVG of the set-up, by scene
     std::map<std::string, std::vector<SchemeRow>> schemes;  ///< by scene
     std::map<std::string, std::string> instabilities;       ///< PNG, by StressRow::picture
+    std::vector<ValidationRow> codes;                       ///< this program beside other codes
     std::string plotly;        ///< text of plotly.js; empty: the figures are static
     std::string note;          ///< one sentence on how this report was made
     bool single_file = false;  ///< all pages in index.html, without a link to another file

@@ -25,6 +25,8 @@ std::string next_steps(const Summary& summary, const std::map<std::string, std::
 void add_failures(Page& page, const AnalysisSpec& scene, const Runs& runs);
 /// Verdicts of all scenes in one table.
 void add_verdicts_part(Page& page, const Summary& summary);
+/// This program beside other codes; nothing where no scene was run with one.
+void add_codes_part(Page& page, const Summary& summary, const std::vector<ValidationRow>& rows);
 /// Convergence of all scenes in one table.
 void add_convergence_part(Page& page, const Summary& summary);
 /// Speed against error, table of runs, revisions.

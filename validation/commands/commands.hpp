@@ -28,6 +28,9 @@ void add_describe(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_new(CLI::App& app, int& exit_code);
 void add_sections(CLI::App& app, int& exit_code);
+void add_export(CLI::App& app, int& exit_code);
+void add_peer(CLI::App& app, int& exit_code);
+void add_import(CLI::App& app, int& exit_code);
 
 /// All of them, in the order of the help.
 void add_commands(CLI::App& app, int& exit_code);

@@ -38,6 +38,13 @@ void add_until(CLI::App& command, std::optional<double>& until) {
     add_positive(command, "--until", until, {"S", "time [s]"}, "stop time [s] (default: that of the scene)");
 }
 
+double finest_quick_spacing(const Scene& scene) {
+    const auto tier = scene.tiers.find("quick");
+    if (tier == scene.tiers.end() || tier->second.count(scene.variant) == 0)
+        throw InputError("--dx is missing: the scene names no quick spacing for this variant");
+    return tier->second.at(scene.variant).back();
+}
+
 void add_run_choice(CLI::App& command, RunChoice& choice, const char* default_spacing) {
     command.add_option("--variant", choice.variant, "variant of the scene (default: that of the scene)")
         ->type_name("VARIANT");

@@ -15,6 +15,8 @@ class App;
 
 namespace wetdeck {
 
+struct Scene;
+
 /// Which run of a scene: its variant, spacing and end.
 struct RunChoice {
     std::optional<std::string> variant;      ///< the scene's default if absent
@@ -23,6 +25,9 @@ struct RunChoice {
 };
 /// @param default_spacing  in words
 void add_run_choice(CLI::App& command, RunChoice& choice, const char* default_spacing);
+
+/// The spacing that is taken without --dx [m]. Throws InputError where the scene names none for its variant.
+double finest_quick_spacing(const Scene& scene);
 
 /// --until alone.
 void add_until(CLI::App& command, std::optional<double>& until);

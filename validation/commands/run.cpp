@@ -27,13 +27,6 @@ struct RunCommand {
     Verbosity verbosity;
 };
 
-double finest_quick_spacing(const Scene& scene) {
-    const auto tier = scene.tiers.find("quick");
-    if (tier == scene.tiers.end() || tier->second.count(scene.variant) == 0)
-        throw InputError("--dx is missing: the scene names no quick spacing for this variant");
-    return tier->second.at(scene.variant).back();
-}
-
 int run_command(const RunCommand& options) {
     catch_stop_signals();
     const Scene scene = read_scene(find_scene(options.scene), options.choice.variant, options.overrides);

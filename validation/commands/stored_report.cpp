@@ -19,6 +19,7 @@
 #include "validation/commands/sketch.hpp"
 #include "validation/jobs/plan.hpp"
 #include "validation/metrics/analysis.hpp"
+#include "validation/metrics/peer_result.hpp"
 #include "validation/metrics/stored_tables.hpp"
 #include "validation/metrics/summary_json.hpp"
 #include "validation/metrics/verification_json.hpp"
@@ -238,6 +239,7 @@ Summary make_report(const fs::path& directory, bool single_file) {
                       {"compiler", program.compiler},
                       {"instruction set", program.simd}};
     inputs.machine = {{"cpu", program.cpu}, {"cores", std::to_string(program.cores)}};
+    inputs.codes = peer_agreement(read_peer_results(directory), summary.runs);
     inputs.plotly = report::load_plotly();
     inputs.single_file = single_file;
     inputs.note = "Made from the stored runs alone by `wetdeck report`.";
@@ -257,7 +259,9 @@ Summary make_report(const fs::path& directory, bool single_file) {
     }
     for (const AnalysisSpec& spec : report::scenes_of(summary))
         add_side_by_side(spec, summary, directory, inputs);
-    atomic_write(directory / "summary.json", summary_json(summary, program).dump(1) + "\n");
+    Summary with_codes = summary;
+    with_codes.agreement.insert(with_codes.agreement.end(), inputs.codes.begin(), inputs.codes.end());
+    atomic_write(directory / "summary.json", summary_json(with_codes, program).dump(1) + "\n");
     report::write_report(directory, summary, inputs);
     return summary;
 }

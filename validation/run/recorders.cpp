@@ -11,20 +11,6 @@
 namespace wetdeck {
 namespace {
 
-/// The mean slope of the curve over the interval of the given width about each of its abscissae; where the
-/// curve ends, over the part of it that is there. A width of zero takes the two neighbouring samples.
-std::vector<double> mean_slopes(const Curve& curve, double width) {
-    std::vector<double> slopes;
-    for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        double begin = curve.x[i == 0 ? 0 : i - 1], end = curve.x[std::min(i + 1, curve.x.size() - 1)];
-        begin = std::min(begin, std::max(curve.x.front(), curve.x[i] - 0.5 * width));
-        end = std::max(end, std::min(curve.x.back(), curve.x[i] + 0.5 * width));
-        const double rise = interpolate(curve, end) - interpolate(curve, begin);
-        slopes.push_back(end > begin ? rise / (end - begin) : 0);
-    }
-    return slopes;
-}
-
 /// What a balance of one half says of a symmetric whole.
 Balance of_both_halves(Balance half) {
     half.kinetic *= 2;
@@ -36,6 +22,18 @@ Balance of_both_halves(Balance half) {
 }
 
 }  // namespace
+
+std::vector<double> mean_slopes(const Curve& curve, double width) {
+    std::vector<double> slopes;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+        double begin = curve.x[i == 0 ? 0 : i - 1], end = curve.x[std::min(i + 1, curve.x.size() - 1)];
+        begin = std::min(begin, std::max(curve.x.front(), curve.x[i] - 0.5 * width));
+        end = std::max(end, std::min(curve.x.back(), curve.x[i] + 0.5 * width));
+        const double rise = interpolate(curve, end) - interpolate(curve, begin);
+        slopes.push_back(end > begin ? rise / (end - begin) : 0);
+    }
+    return slopes;
+}
 
 Recorders::Recorders(const Scene& scene, double particle_spacing)
     : probes_(scene.probes),

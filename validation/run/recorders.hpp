@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/core/curve.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/store/run_record.hpp"
 
@@ -31,6 +32,10 @@ class Recorders {
     std::vector<Box> water_;         ///< at the start
     double surface_;                 ///< of the water at the start [m]
 };
+
+/// The mean slope of the curve over the interval of the given width about each of its abscissae; where the
+/// curve ends, over the part of it that is there. A width of zero takes the two neighbouring samples.
+std::vector<double> mean_slopes(const Curve& curve, double width);
 
 /// Adds the forces and accelerations of the bodies, from their impulses and velocities, as means over the two
 /// intervals about each sample, and filtered by a centred moving mean of the scene's width. No sample

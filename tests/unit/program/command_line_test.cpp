@@ -52,8 +52,9 @@ TEST_CASE("Every command and every option has a description, and a command's nam
         }
         CHECK(options.count("-h, --help") == 1);
     }
-    const Words promised = {"suite",  "run",      "resume", "verify",   "stress", "ablate", "bench",
-                            "report", "baseline", "list",   "describe", "check",  "new",    "sections"};
+    const Words promised = {"suite", "run",      "resume",   "verify", "stress",   "ablate",
+                            "bench", "report",   "baseline", "list",   "describe", "check",
+                            "new",   "sections", "export",   "peer",   "import"};
     for (const std::string& name : promised) CHECK(names.count(name) == 1);
 }
 

@@ -5,6 +5,8 @@
 
 #include "tests/unit/report/stored_samples.hpp"
 #include "validation/commands/publish.hpp"
+#include "validation/metrics/convergence.hpp"
+#include "validation/metrics/peer_result.hpp"
 #include "validation/metrics/stored_tables.hpp"
 
 using namespace wetdeck;
@@ -68,6 +70,32 @@ TEST_CASE("The report is made again from the stores alone, byte for byte", "[sto
         CHECK(once.count(fs::path(path).replace_extension(".csv").string()) == 1);
         CHECK(contains(bytes, "revision abc1234"));
     }
+}
+
+TEST_CASE("Beside a peer.json the report and summary.json show the agreement between codes",
+          "[stored_report]") {
+    const samples::OwnReferences references;
+    const samples::ScratchFolder folder;
+    samples::store_sweep(folder);
+    const Summary runs = analyse_directory(folder);
+    PeerResult peer{
+        runs.runs[0].record.scene, runs.runs[0].record.variant, "OpenFOAM v1912, interFoam", {}, {}};
+    PeerQuantity quantity{"-", convergence({{0.04, 1.6}, {0.02, 1.55}, {0.01, 1.5375}}), "curves/front.csv"};
+    quantity.values.qoi = "front_mean";
+    peer.quantities.push_back(quantity);
+    fs::create_directories(folder / "peer/small");
+    write_peer_result(folder / "peer/small", peer);
+    make_report(folder);
+    const auto json = nlohmann::json::parse(samples::bytes_of(folder / "summary.json"));
+    const auto& row = json.at("agreement").back();
+    CHECK(row.at("code") == "OpenFOAM v1912, interFoam");
+    CHECK(row.at("quantity") == "front_mean");
+    CHECK(row.at("theirs") == Approx(1.5375));
+    CHECK(row.at("ours").get<double>() == Approx(1.5003).epsilon(1e-4));
+    // 0.0372 apart; GCI / 2 is 0.5 * 1.25 * 0.0125/3 and 0.5 * 1.25 * 3e-4
+    CHECK(row.at("verdict") == "differ by more than both");
+    CHECK(contains(samples::bytes_of(folder / "statistics.html"), "Agreement between codes"));
+    CHECK(contains(samples::bytes_of(folder / "statistics.html"), "differ by more than both"));
 }
 
 TEST_CASE("A planned run that is not there marks the stored report incomplete", "[stored_report]") {
