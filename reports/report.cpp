@@ -17,9 +17,8 @@ std::string title_of(const Summary& summary, const ReportInputs& inputs) {
     return summary.missing.empty() ? title : "INCOMPLETE: " + title;
 }
 
-void add_statistics_page(Pages& pages, const Summary& summary, const ReportInputs& inputs) {
+void add_statistics_page(Pages& pages, const Summary& summary) {
     Page& page = pages.add("statistics", "Statistics over all scenes", "statistics");
-    add_codes_part(page, summary, inputs.codes);
     add_verdicts_part(page, summary);
     add_statistics_part(page, summary);
     add_convergence_part(page, summary);
@@ -41,7 +40,7 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
     }
     if (scene_pages.size() > 1)
         add_library_part(pages.add("library", "Library of cases", "library"), summary, inputs, scene_pages);
-    if (about_runs(summary)) add_statistics_page(pages, summary, inputs);
+    if (about_runs(summary)) add_statistics_page(pages, summary);
     if (!summary.verification.empty())
         add_verification_part(
             pages.add("exact-solutions", "Problems with exact solutions", "exact solutions"), summary);
@@ -49,6 +48,7 @@ void write_report(const std::filesystem::path& directory, const Summary& summary
         add_stress_part(pages.add("hard-cases", "Hard cases", "hard cases"), summary, inputs);
     if (about_runs(summary)) add_source_figures_part(pages, summary);
     add_overview(overview, summary, inputs, scene_pages);
+    add_codes_part(overview, summary, inputs.codes);
     pages.write();
 }
 

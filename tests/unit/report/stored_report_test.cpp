@@ -94,7 +94,7 @@ TEST_CASE("Beside a peer.json the report and summary.json show the agreement bet
     CHECK(row.at("ours").get<double>() == Approx(1.5003).epsilon(1e-4));
     // 0.0372 apart; GCI / 2 is 0.5 * 1.25 * 0.0125/3 and 0.5 * 1.25 * 3e-4
     CHECK(row.at("verdict") == "differ by more than both");
-    CHECK(contains(samples::bytes_of(folder / "statistics.html"), "Agreement between codes"));
+    CHECK(contains(samples::bytes_of(folder / "index.html"), "Agreement between codes"));
     CHECK(contains(samples::bytes_of(folder / "statistics.html"), "differ by more than both"));
 }
 
