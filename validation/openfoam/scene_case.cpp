@@ -148,6 +148,10 @@ SceneCase scene_case(const Scene& scene, double cell, std::optional<double> unti
                         "times those of its clock.",
                         body->speed));
         written.differences.emplace_back(
+            "The stream is set at once: the first steps hold the jolt of an impulsive start, a load that is "
+            "no "
+            "part of the scene; judge from contact on.");
+        written.differences.emplace_back(
             "The right half is computed, with a plane of symmetry: loads are half.");
     }
     written.differences.emplace_back(

@@ -95,7 +95,7 @@ TEST_CASE("Beside a peer.json the report and summary.json show the agreement bet
     // 0.0372 apart; GCI / 2 is 0.5 * 1.25 * 0.0125/3 and 0.5 * 1.25 * 3e-4
     CHECK(row.at("verdict") == "differ by more than both");
     CHECK(contains(samples::bytes_of(folder / "index.html"), "Agreement between codes"));
-    CHECK(contains(samples::bytes_of(folder / "statistics.html"), "differ by more than both"));
+    CHECK(contains(samples::bytes_of(folder / "index.html"), "differ by more than both"));
 }
 
 TEST_CASE("A planned run that is not there marks the stored report incomplete", "[stored_report]") {
