@@ -54,11 +54,7 @@ void add_export(CLI::App& app, int& exit_code) {
     command.add_option("--cells", options->cells, "cells per particle spacing")
         ->type_name("NUMBER")
         ->capture_default_str();
-    command
-        .add_option("--set", options->overrides,
-                    "override a key of the scene file; may be given several times")
-        ->allow_extra_args(false)
-        ->type_name("KEY=VALUE");
+    add_overrides(command, options->overrides);
     command.add_option("--out", options->out, "folder of the case")->required()->type_name("DIR");
     command.add_flag("--replace", options->replace, "write into the folder though it holds files");
     command.callback([options, &exit_code] { exit_code = export_case(*options); });

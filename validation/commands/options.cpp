@@ -45,9 +45,23 @@ double finest_quick_spacing(const Scene& scene) {
     return tier->second.at(scene.variant).back();
 }
 
-void add_run_choice(CLI::App& command, RunChoice& choice, const char* default_spacing) {
-    command.add_option("--variant", choice.variant, "variant of the scene (default: that of the scene)")
+void add_variant(CLI::App& command, std::optional<std::string>& variant) {
+    command.add_option("--variant", variant, "variant of the scene (default: that of the scene)")
         ->type_name("VARIANT");
+}
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+    command.add_option("--set", overrides, "override a key of the scene file; may be given several times")
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE");
+}
+
+void add_tier(CLI::App& command, std::string& tier) {
+    command.add_option("--tier", tier, "quick, standard or paper")->type_name("TIER")->capture_default_str();
+}
+
+void add_run_choice(CLI::App& command, RunChoice& choice, const char* default_spacing) {
+    add_variant(command, choice.variant);
     add_positive(command, "--dx", choice.particle_spacing, {"M", "spacing [m]"},
                  fmt::format("particle spacing [m] (default: {})", default_spacing));
     add_until(command, choice.until);

@@ -29,6 +29,13 @@ void add_run_choice(CLI::App& command, RunChoice& choice, const char* default_sp
 /// The spacing that is taken without --dx [m]. Throws InputError where the scene names none for its variant.
 double finest_quick_spacing(const Scene& scene);
 
+/// --variant
+void add_variant(CLI::App& command, std::optional<std::string>& variant);
+/// --set, as often as needed
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides);
+/// --tier
+void add_tier(CLI::App& command, std::string& tier);
+
 /// --until alone.
 void add_until(CLI::App& command, std::optional<double>& until);
 

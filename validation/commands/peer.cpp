@@ -93,11 +93,7 @@ void add_peer(CLI::App& app, int& exit_code) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->type_name("NUMBERS");
-    command
-        .add_option("--set", options->overrides,
-                    "override a key of the scene file; may be given several times")
-        ->allow_extra_args(false)
-        ->type_name("KEY=VALUE");
+    add_overrides(command, options->overrides);
     command.add_option("--limit", options->limit, "wall time of all runs in seconds")
         ->type_name("S")
         ->check(CLI::PositiveNumber)

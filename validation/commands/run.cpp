@@ -53,11 +53,7 @@ void add_run(CLI::App& app, int& exit_code) {
     CLI::App& command = *app.add_subcommand("run", "one run of a scene");
     add_scene(command, options->scene);
     add_run_choice(command, options->choice, "the finest of the quick tier");
-    command
-        .add_option("--set", options->overrides,
-                    "override a key of the scene file; may be given several times")
-        ->allow_extra_args(false)
-        ->type_name("KEY=VALUE");
+    add_overrides(command, options->overrides);
     add_out(command, options->directory, "results/runs/SCENE/VARIANT/dxDX");
     add_fields(command, options->fields, "all");
     command.add_flag("--replace", options->replace, "replace the run that the directory holds");

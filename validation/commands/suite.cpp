@@ -55,9 +55,7 @@ void add_suite(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<SuiteOptions>();
     CLI::App& command = *app.add_subcommand(
         "suite", "run every scene, variant and spacing of a tier, compare the results and write the report");
-    command.add_option("--tier", options->plan.tier, "quick, standard or paper")
-        ->type_name("TIER")
-        ->capture_default_str();
+    add_tier(command, options->plan.tier);
     add_only(command, options->plan.scenes, "scenes (names or paths)", "SCENE");
     add_out(command, options->directory, "results/TIER");
     command

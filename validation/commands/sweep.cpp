@@ -111,22 +111,19 @@ void add_sweep(CLI::App& app, int& exit_code) {
         ->required()
         ->allow_extra_args(false)
         ->type_name("KEY=FROM:TO:COUNT");
-    command.add_option("--variant", options->variant, "variant (default: the scene's)")->type_name("NAME");
-    command
-        .add_option("--dx", options->spacings,
-                    "particle spacing [m]; three or more give u_num (default: those of the tier)")
+    add_variant(command, options->variant);
+    command.add_option("--dx", options->spacings, "particle spacing [m] (default: those of the tier)")
         ->allow_extra_args(false)
         ->check(CLI::PositiveNumber)
         ->type_name("M");
-    command.add_option("--tier", options->tier, "whose spacings are run, without --dx")
-        ->type_name("TIER")
-        ->capture_default_str();
-    command
-        .add_option("--set", options->overrides, "another value for a key of the scene file at every point")
-        ->allow_extra_args(false)
-        ->type_name("KEY=VALUE");
+    add_tier(command, options->tier);
+    add_overrides(command, options->overrides);
     add_out(command, options->directory, "results/sweep");
     add_row_execution(command, options->execution);
+    command.footer(
+        "--dx may be given several times: three or more spacings give the numerical uncertainty u_num. A "
+        "sweep that was "
+        "interrupted continues when the same command is given again.");
     command.callback([options, &exit_code] { exit_code = run_sweep(*options); });
 }
 

@@ -60,8 +60,8 @@ TEST_CASE("A report has a first page, one page a scene and one for the statistic
     std::set<std::string> names;
     for (const auto& [name, page] : samples::pages_of(everything())) names.insert(name);
     CHECK(names == std::set<std::string>{"exact-solutions.html", "hard-cases.html", "index.html",
-                                         "scene-other-tank.html", "scene-tank.html", "sources.html",
-                                         "statistics.html"});
+                                         "library.html", "scene-other-tank.html", "scene-tank.html",
+                                         "sources.html", "statistics.html"});
     names.clear();
     for (const auto& [name, page] : samples::pages_of(samples::summary())) names.insert(name);
     CHECK(names == std::set<std::string>{"index.html", "scene-tank.html", "statistics.html"});

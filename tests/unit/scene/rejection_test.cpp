@@ -85,6 +85,7 @@ TEST_CASE("an unknown ingredient of the model is refused with the list of known 
            "is 'zero', expected one of hydrostatic, greco");
     expect("type = \"front\"", "type = \"back\"", "probes[0].type",
            "is 'back', expected one of front, wall_pressure, water_depth, body_pressure, face_pressure, "
+           "patch_pressure, "
            "air_film, free_surface");
     REQUIRE_THAT(refusal(with("metric = \"mean\"", "metric = \"mode\"")),
                  Contains("is 'mode', expected one of mean, "));
