@@ -64,7 +64,7 @@ TEST_CASE("what a sweep cannot do is refused in one line before anything is run"
     CHECK_FALSE(std::filesystem::exists(folder / "out"));
     REQUIRE(run_program(sweep(folder, "rho=900:1000:2")).code == 0);
     std::vector<std::string> other = sweep(folder, "rho=900:1000:2");
-    other.insert(other.end(), {"--variant", "two-phase"});
+    other.insert(other.end(), {"--variant", "two-phase", "--dx", "0.04"});
     const Outcome outcome = run_program(other);
     CHECK(outcome.code == 2);
     CHECK_THAT(outcome.err, Contains("expected another directory"));
