@@ -14,6 +14,7 @@
 #include "validation/jobs/sweep.hpp"
 #include "validation/run/exit_code.hpp"
 #include "validation/run/stop_signal.hpp"
+#include "validation/store/child_process.hpp"
 
 namespace wetdeck {
 namespace {

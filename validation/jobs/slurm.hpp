@@ -30,7 +30,4 @@ void submit_rows(const std::vector<SuiteRow>& rows, const std::filesystem::path&
 /// Arguments of `wetdeck suite` for submit_rows().
 std::string suite_arguments(const PlanOptions& plan, const RowOptions& row);
 
-/// A text as one word of a shell's command line.
-std::string shell_quoted(const std::string& text);
-
 }  // namespace wetdeck

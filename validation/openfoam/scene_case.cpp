@@ -144,8 +144,7 @@ SceneCase scene_case(const Scene& scene, double cell, std::optional<double> unti
         body->deadrise ? write_wedge(scene, *body, written) : write_plate(scene, *body, written);
         written.differences.emplace_back(
             fmt::format("The body is at rest and water and air come up at {:.6g} m/s: places are those of "
-                        "the scene at its start, "
-                        "times those of its clock.",
+                        "the scene at its start, times those of its clock.",
                         body->speed));
         written.differences.emplace_back(
             "The stream is set at once: the first steps hold the jolt of an impulsive start, a load that is "

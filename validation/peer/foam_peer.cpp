@@ -23,8 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* fault =
     "This build of OpenFOAM computes slanted cells wrongly (a tensor times a vector in place); the cells of "
-    "this "
-    "mesh are along the axes or locally square, which it computes rightly.";
+    "this mesh are along the axes or locally square, which it computes rightly.";
 
 std::string version_of(const fs::path& folder) {
     OpenfoamFile file;

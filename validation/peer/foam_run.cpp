@@ -142,8 +142,8 @@ void check_cells(const SceneCase& written, bool slanted_are_sound) {
         if (slant(written.foam.mesh, c) > largest_slant)
             throw EnvironmentError(
                 "this build of OpenFOAM multiplies a tensor and a vector in place: velocities on slanted "
-                "cells are "
-                "wrong, and the mesh has such cells; install a build of openfoam.com or openfoam.org");
+                "cells are wrong, and the mesh has such cells; install a build of openfoam.com or "
+                "openfoam.org");
 }
 
 }  // namespace wetdeck
