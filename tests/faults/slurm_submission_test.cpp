@@ -87,6 +87,25 @@ TEST_CASE("a suite is submitted as an array whose tasks run its rows, and a job 
     CHECK_THAT(run_program(suite).out, Contains("0 of 2 runs submitted in 0 tasks, the report as job 3"));
 }
 
+TEST_CASE("a sweep is submitted as an array, and its report is made of the runs of the tasks", "[faults]") {
+    const StandIn slurm;
+    const ScratchFolder folder;
+    const std::string out = folder / "out";
+    const std::vector<std::string> sweep = {
+        "sweep", put_scene(folder), "--variant", "single-phase", "--over", "water.density=900:1000:2", "--dx",
+        "0.04",  "--out",           out,         "--executor",   "slurm"};
+    const Outcome submitted = run_program(sweep);
+    INFO(submitted.err);
+    REQUIRE(submitted.code == 0);
+    CHECK(submitted.out == "2 of 2 runs submitted in 1 tasks of job 1, the report as job 2\n");
+    REQUIRE(shell("SLURM_ARRAY_TASK_ID=0 sh " + out + "/slurm/task.sh") == 0);
+    REQUIRE(run_program({"report", out}).code == 0);
+    CHECK_THAT(samples::bytes_of(out + "/sweep.csv"),
+               Contains("\n900,0.04,") && Contains("\n1000,0.04,") && !Contains("missing"));
+    slurm.put_queue("");
+    CHECK_THAT(run_program(sweep).out, Contains("0 of 2 runs submitted in 0 tasks"));
+}
+
 TEST_CASE("a site's message on stderr of sbatch and squeue is no number of a job", "[faults]") {
     const StandIn slurm;
     const ScratchFolder folder;
