@@ -30,6 +30,7 @@ body.motion.x.formula | | required | constant, ramp, harmonic or piecewise | for
 body.motion.x.velocity | m/s or rad/s | 0 | number, or "3 kn" | of constant: from the start on; of ramp: at its end and after |
 body.motion.x.begins | s | 0 | zero or a positive number | of ramp: when the velocity begins to grow |
 body.motion.x.over | s | required by ramp | positive number | of ramp: how long it grows |
+  sound must cross the body many times meanwhile, or the added mass answers too late: 40 radii in the scene water_exit
 body.motion.x.amplitude | m or rad | 0 | number, or "5 deg" | of harmonic |
 body.motion.x.period | s | required by harmonic | positive number | of harmonic |
 body.motion.x.phase | rad | 0 | number, or "90 deg" | of harmonic: amplitude sin(2 pi t / period + phase), less its value at the start |
