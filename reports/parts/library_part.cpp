@@ -43,7 +43,7 @@ void add_library_part(Page& page, const Summary& summary, const ReportInputs& in
         const std::string title = escape(scene.title.empty() ? scene.scene : scene.title);
         table.add({sketch == inputs.sketches.end()
                        ? text("—")
-                       : markup(fmt::format("<img class=\"set-up\" width=\"180\" alt=\"set-up\" src=\"{}\">",
+                       : markup(fmt::format("<img class=\"set-up\" alt=\"set-up\" src=\"{}\">",
                                             svg_address(sketch->second))),
                    markup(address == scene_pages.end()
                               ? title
