@@ -13,6 +13,7 @@
 #include "validation/run/assemble.hpp"
 #include "validation/scene/identity.hpp"
 #include "validation/scene/scene.hpp"
+#include "validation/scene/toml_reader.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/text_table.hpp"
 #include "validation/store/whole_file.hpp"
@@ -45,6 +46,42 @@ std::vector<std::string> parts_of(const std::string& text) {
 
 std::string identity_at(const SweepPlan& plan, const std::vector<double>& at) {
     return setup_identity(read_scene(find_scene(plan.scene), plan.variant, overrides_at(plan, at)));
+}
+
+/// The expression that the scene has for a dotted key; empty where it has a number, or none.
+std::string expression_of(const TomlTable& root, const std::string& key) {
+    const std::size_t dot = key.find('.');
+    if (dot == std::string::npos) return root.holds_expression(key) ? root.expression(key) : "";
+    const std::string table = key.substr(0, dot);
+    return root.is_table(table) ? expression_of(root.table(table), key.substr(dot + 1)) : "";
+}
+
+/// Throws for a key that is no parameter and has no table, for one that follows from parameters, and for a
+/// parameter in degrees that would be taken for one in radians.
+void check_key(const SweepAxis& axis, const Scene& scene) {
+    const TomlDocument document(scene.text, scene.path);
+    const TomlTable root = document.root();
+    std::vector<std::string> names;
+    for (const auto& [name, value] : scene.parameters) names.push_back(name);
+    const auto fail = [&axis](const std::string& what) {
+        throw InputError(fmt::format("option --over {}: {}", axis.key, what));
+    };
+    if (axis.key.find('.') == std::string::npos)
+        fail(names.empty()
+                 ? "is no dotted key of the scene file, as body.velocity_y, and the scene has no parameters"
+                 : fmt::format("is no dotted key of the scene file and none of its parameters: {}",
+                               fmt::join(names, ", ")));
+    if (const std::string expression = expression_of(root, axis.key); !expression.empty())
+        fail(
+            fmt::format("follows from others in this scene, '{}': what else follows from them would stay "
+                        "behind; expected one of the parameters {}",
+                        expression, fmt::join(names, ", ")));
+    if (!axis.key.starts_with(parameter_table) || !axis.unit.empty()) return;
+    const TomlTable parameters = root.table("parameters");
+    const std::string name = axis.key.substr(std::string(parameter_table).size());
+    if (parameters.holds_text(name))
+        fail(fmt::format("is \"{}\" in the scene: expected values with a unit, KEY=\"FROM:TO:COUNT UNIT\"",
+                         parameters.text(name)));
 }
 
 /// Throws for a key whose ends give the same run.
@@ -94,6 +131,7 @@ SweepAxis parse_axis(const std::string& text, const Scene& scene) {
     axis.count = static_cast<int>(numbers[2]);
     if (axis.count == 1 && axis.from != axis.to) throw fail("has one value, but two different ends");
     if (axis.count > 1 && axis.from == axis.to) throw fail("has the same value at both ends");
+    check_key(axis, scene);
     return axis;
 }
 

@@ -14,7 +14,8 @@
 namespace wetdeck {
 
 /// "KEY=FROM:TO:COUNT" or "KEY=FROM:TO:COUNT UNIT"; KEY alone names a parameter of the scene. Throws
-/// InputError for anything else.
+/// InputError for anything else, for a key that the scene computes from its parameters, and for a parameter
+/// that the scene gives with a unit and this axis without.
 SweepAxis parse_axis(const std::string& text, const Scene& scene);
 
 struct SweepPlan {

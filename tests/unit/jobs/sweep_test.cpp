@@ -53,6 +53,25 @@ TEST_CASE("an axis is a key, two ends, a count, and a unit if there is one", "[s
     }
 }
 
+TEST_CASE("a key that would leave others behind, or be taken for another unit, is refused", "[sweep]") {
+    const auto refusal = [](const std::string& over) {
+        const std::string text = samples::replaced(scene_text, "idle = 1.0", "idle = \"30 deg\"");
+        try {
+            parse_axis(over, parse_scene(text, "small.toml"));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(refusal("rho=900:1000:2").empty());
+    CHECK_THAT(refusal("roh=900:1000:2"), Contains("none of its parameters: idle, rho"));
+    CHECK_THAT(refusal("water.density=900:1000:2"),
+               Contains("follows from others in this scene, '= rho'") && Contains("idle, rho"));
+    CHECK_THAT(refusal("idle=10:30:3"), Contains("is \"30 deg\" in the scene") && Contains("UNIT"));
+    CHECK(refusal("idle=10:30:3 deg").empty());
+    CHECK(refusal("water.sound_speed=10:30:3").empty());
+}
+
 TEST_CASE("the first axis of a grid changes fastest", "[sweep]") {
     const auto points = grid_points({{"a", 1, 2, 2, ""}, {"b", 10, 30, 3, ""}});
     CHECK(points == std::vector<std::vector<double>>{{1, 10}, {2, 10}, {1, 20}, {2, 20}, {1, 30}, {2, 30}});
