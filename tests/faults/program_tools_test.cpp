@@ -104,7 +104,7 @@ TEST_CASE("bash completes commands, options, scenes, variants, tiers and lists",
         CHECK(offered(command + " --") == options_of(command));
     }
     CHECK(offered("run \"\"").count("dam_break") == 1);
-    CHECK(offered("run we") == std::set<std::string>{"wedge", "wedge_yettou"});
+    CHECK(offered("run we") == std::set<std::string>{"wedge", "wedge_deadrise", "wedge_yettou"});
     CHECK(offered("run dam_break --variant \"\"") == std::set<std::string>{"two-phase", "single-phase",
                                                                            "paper", "paper-no-switch",
                                                                            "paper-central", "paper-literal"});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The document of a scene file: parsing, overlays, renamed keys, overrides.
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "solver/core/errors.hpp"
@@ -229,31 +230,35 @@ void TomlDocument::set(const std::string& assignment) {
 
 namespace {
 
-bool holds_expression(const toml::node& node) {
-    return node.is_string() && is_expression(node.as_string()->get());
+/// The number of a node that is an expression; empty for any other, also for a text that only looks like one.
+std::optional<double> number_of_expression(const toml::node& node, const Expressions& expressions) {
+    if (!node.is_string() || !is_expression(node.as_string()->get())) return std::nullopt;
+    try {
+        return number_in(node, expressions);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
 }
 
-/// Puts numbers in the place of all expressions below a node.
+/// Puts numbers in the place of all expressions below a node, where there are parameters: without them no
+/// number can change behind a text.
 void evaluate(toml::node& node, const Expressions& expressions) {
+    if (expressions.parameters().empty()) return;
     if (toml::table* table = node.as_table()) {
-        std::vector<std::string> computed;
+        std::map<std::string, double> computed;
         for (auto&& [key, value] : *table) {
-            if (holds_expression(value))
-                computed.emplace_back(key.str());
+            if (const auto number = number_of_expression(value, expressions))
+                computed[std::string(key.str())] = *number;
             else
                 evaluate(value, expressions);
         }
-        for (const std::string& key : computed)
-            table->insert_or_assign(key, *number_in(*table->get(key), expressions));
+        for (const auto& [key, number] : computed) table->insert_or_assign(key, number);
     } else if (toml::array* entries = node.as_array()) {
         for (std::size_t k = 0; k < entries->size(); ++k) {
-            toml::node& entry = (*entries)[k];
-            if (!holds_expression(entry)) {
-                evaluate(entry, expressions);
-                continue;
-            }
-            const double number = *number_in(entry, expressions);
-            entries->insert(entries->erase(entries->begin() + static_cast<std::ptrdiff_t>(k)), number);
+            if (const auto number = number_of_expression((*entries)[k], expressions))
+                entries->insert(entries->erase(entries->begin() + static_cast<std::ptrdiff_t>(k)), *number);
+            else
+                evaluate((*entries)[k], expressions);
         }
     }
 }

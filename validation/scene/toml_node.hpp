@@ -33,7 +33,7 @@ inline std::optional<double> number_in(const toml::node& entry, const Expression
     return text && is_expression(text->get()) ? expressions.value(text->get()) : entry.value<double>();
 }
 
-/// A copy of a table in which every expression is replaced by its number.
+/// A copy of a table in which every expression is replaced by its number, where the document has parameters.
 toml::table evaluated(const toml::table& table, const Expressions& expressions);
 
 /// "FILE:LINE" of an entry; "option --set KEY=VALUE" for one from the command line.
