@@ -46,12 +46,6 @@ std::string values_of(const SweepResult& result, const SweepPoint& point, std::s
     return fmt::format("{}", fmt::join(values, ", "));
 }
 
-std::string words_of(const std::string& name) {
-    std::string words = name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
-}
-
 /// The expected values, or those of another method, over the first key.
 void add_line(Figure& figure, const Row& row, const std::string& label, const std::string& colour,
               const std::function<std::optional<double>(const SweepPoint&)>& value) {
@@ -72,9 +66,9 @@ Figure curves_of(const SweepResult& result, std::size_t quantity) {
     Figure figure;
     figure.name = "sweep-" + slug(first.name);
     figure.identifier = first.name;
-    figure.title = words_of(first.name);
+    figure.title = spaced(first.name);
     figure.x = {result.axes.front().title(), "", false, {}};
-    figure.y = {words_of(first.name), first.unit, false, {}};
+    figure.y = {spaced(first.name), first.unit, false, {}};
     std::size_t place = 0;
     for (const Row& row : rows_of(result)) {
         const std::string others = values_of(result, *row.front(), 1);
@@ -150,7 +144,7 @@ std::vector<Figure> design_curves(const SweepResult& result) {
         figure.name = "sweep-" + slug(q.curve->title);
         figure.title = q.curve->title;
         figure.x = {q.curve->label, "", false, {}};
-        figure.y = {words_of(q.name.substr(0, q.name.find_last_of('_'))), q.unit, false, {}};
+        figure.y = {spaced(q.name.substr(0, q.name.find_last_of('_'))), q.unit, false, {}};
         figures.push_back(figure);
     }
     constexpr std::size_t most_curves = 12;
@@ -217,7 +211,7 @@ void write_sweep_report(const std::filesystem::path& directory, const SweepResul
         page.add(paragraph("Expected: " + result.expected_source + ".", "soft"));
     const std::vector<Figure> curves = design_curves(result);
     for (std::size_t k = 0; k < result.points.front().quantities.size(); ++k) {
-        page.section(2, words_of(result.points.front().quantities[k].name));
+        page.section(2, spaced(result.points.front().quantities[k].name));
         page.add(page.figure(curves_of(result, k)));
         page.add(map_of(result, k));
         if (k == 0)

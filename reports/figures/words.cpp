@@ -36,11 +36,6 @@ constexpr std::array<std::pair<const char*, const char*>, 18> known_series{{
     {"particles_outside", "particles outside the tank"},
 }};
 
-std::string spaced(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
 bool ends_with_number(const std::string& name, std::size_t& underscore) {
     underscore = name.rfind('_');
     return underscore != std::string::npos && underscore + 1 < name.size() &&
@@ -151,6 +146,11 @@ std::string unit_in(const std::string& label) {
 
 }  // namespace
 
+std::string spaced(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
 std::string series_words(const std::string& series) {
     static const std::string filtered = "_filtered";
     if (series.ends_with(filtered))
@@ -208,8 +208,7 @@ std::string scene_words(const Summary& summary, const std::string& scene) {
 }
 
 std::string scene_label(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
+    return spaced(std::move(name));
 }
 
 std::string unit_words(const AnalysisSpec& scene, const ValidationRow& row) {

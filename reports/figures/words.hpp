@@ -9,6 +9,9 @@
 
 namespace wetdeck::report {
 
+/// A name with spaces for its underscores.
+std::string spaced(std::string name);
+
 /// "vertical force, filtered" for body_force_y_filtered; a name without a meaning of its own with spaces for
 /// underscores.
 std::string series_words(const std::string& series);

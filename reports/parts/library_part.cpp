@@ -30,36 +30,26 @@ void add_library_part(Page& page, const Summary& summary, const ReportInputs& in
     Table table({"set-up", "case", "what it tests", "against", "judged, finest spacings", "main verdict",
                  "core-seconds of all runs"},
                 "stacked outcomes");
-    std::size_t points = 0, within = 0, cases = 0;
-    for (const AnalysisSpec& scene : scenes_of(summary)) {
-        const Runs runs = runs_of(summary, scene);
-        if (runs.empty()) continue;
-        const Judged judged = judged_in(scene, runs);
-        const Outcome outcome = outcome_of(summary, scene);
-        double cost = 0;
-        for (const RunSummary* run : runs) cost += run->record.cost.core_s;
+    const std::vector<LibraryCase> library = library_of(summary);
+    for (const LibraryCase& each : library) {
+        const AnalysisSpec& scene = each.scene;
         const auto sketch = inputs.sketches.find(scene.scene);
         const auto address = scene_pages.find(scene.scene);
         const std::string title = escape(scene.title.empty() ? scene.scene : scene.title);
-        table.add({sketch == inputs.sketches.end()
-                       ? text("—")
-                       : markup(fmt::format("<img class=\"set-up\" alt=\"set-up\" src=\"{}\">",
-                                            svg_address(sketch->second))),
-                   markup(address == scene_pages.end()
-                              ? title
-                              : fmt::format("<a href=\"{}\">{}</a>", address->second, title)),
-                   text(scene.purpose),
-                   text(judged.kinds.empty() ? "—" : fmt::format("{}", fmt::join(judged.kinds, ", "))),
-                   text(fmt::format("{} of {} within", judged.within, judged.points)),
-                   markup(badge(outcome.verdict, outcome.tone)), value(cost)});
-        points += judged.points;
-        within += judged.within;
-        ++cases;
+        table.add(
+            {sketch == inputs.sketches.end()
+                 ? text("—")
+                 : markup(fmt::format("<img class=\"set-up\" alt=\"set-up\" src=\"{}\">",
+                                      svg_address(sketch->second))),
+             markup(address == scene_pages.end()
+                        ? title
+                        : fmt::format("<a href=\"{}\">{}</a>", address->second, title)),
+             text(scene.purpose),
+             text(each.judged.kinds.empty() ? "—" : fmt::format("{}", fmt::join(each.judged.kinds, ", "))),
+             text(fmt::format("{} of {} within", each.judged.within, each.judged.points)),
+             markup(badge(each.outcome.verdict, each.outcome.tone)), value(each.core_seconds)});
     }
-    page.add(
-        paragraph(fmt::format("{} cases with {} judged values and curves at their finest spacings, {} "
-                              "of them within tolerance.",
-                              cases, points, within)));
+    page.add(paragraph(counted(library)));
     page.add(table.html());
     if (const std::string bias = bias_table(summary); !bias.empty()) {
         page.section(2, "Bias and scatter over all cases");

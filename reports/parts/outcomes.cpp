@@ -225,6 +225,28 @@ Judged judged_in(const AnalysisSpec& scene, const Runs& runs) {
     return judged;
 }
 
+std::vector<LibraryCase> library_of(const Summary& summary) {
+    std::vector<LibraryCase> library;
+    for (const AnalysisSpec& scene : scenes_of(summary)) {
+        const Runs runs = runs_of(summary, scene);
+        if (runs.empty()) continue;
+        library.push_back({scene, runs, judged_in(scene, runs), outcome_of(summary, scene)});
+        for (const RunSummary* run : runs) library.back().core_seconds += run->record.cost.core_s;
+    }
+    return library;
+}
+
+std::string counted(const std::vector<LibraryCase>& library) {
+    std::size_t points = 0, within = 0;
+    for (const LibraryCase& each : library) {
+        points += each.judged.points;
+        within += each.judged.within;
+    }
+    return fmt::format(
+        "{} cases with {} judged values and curves at their finest spacings, {} of them within tolerance.",
+        library.size(), points, within);
+}
+
 Figure outcome_figure(const Outcome& outcome) {
     Figure figure;
     figure.title = outcome.words + (outcome.curve == nullptr ? "" : ": simulation and reference");

@@ -45,6 +45,18 @@ struct Judged {
 /// @param runs  of the scene
 Judged judged_in(const AnalysisSpec& scene, const Runs& runs);
 
+/// A case of the library: a scene that was run, what it was judged by, and the cost of all its runs.
+struct LibraryCase {
+    AnalysisSpec scene;
+    Runs runs;
+    Judged judged;
+    Outcome outcome;
+    double core_seconds = 0;
+};
+std::vector<LibraryCase> library_of(const Summary& summary);
+/// "15 cases with 375 judged values and curves at their finest spacings, 214 of them within tolerance."
+std::string counted(const std::vector<LibraryCase>& library);
+
 /// The curve of the main quantity over its reference; without series where the run has none.
 Figure outcome_figure(const Outcome& outcome);
 

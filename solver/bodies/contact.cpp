@@ -3,12 +3,10 @@
 
 #include <limits>
 
+#include "solver/core/cross.hpp"
+
 namespace wetdeck {
 namespace {
-
-double cross(Vec2 a, Vec2 b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// A corner behind a surface.
 struct Touch {

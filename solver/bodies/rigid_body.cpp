@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/bodies/rigid_body.hpp"
 
+#include "solver/core/cross.hpp"
 #include "solver/core/errors.hpp"
 
 namespace wetdeck {
 namespace {
-
-double cross(Vec2 a, Vec2 b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 Vec2 turned(Vec2 arm) {
     return {-arm.y(), arm.x()};

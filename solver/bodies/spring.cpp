@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "solver/bodies/rigid_body.hpp"
+#include "solver/core/cross.hpp"
 
 namespace wetdeck {
 namespace {
-
-double cross(Vec2 a, Vec2 b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Along the straight piece of a table that holds x, or along the nearest.
 double interpolated(const Curve& table, double x) {

@@ -163,38 +163,26 @@ bool chosen(const std::string& stem) {
 /// Each case with its picture, what it tests, against what, verdict and cost; writes the pictures, whose
 /// names it adds to `files`.
 std::string library(const Summary& summary, const fs::path& folder, std::set<std::string>& files) {
+    const std::vector<report::LibraryCase> cases = report::library_of(summary);
     std::string rows;
-    std::size_t cases = 0, points = 0, within = 0;
-    for (const AnalysisSpec& spec : report::scenes_of(summary)) {
-        const report::Runs runs = report::runs_of(summary, spec);
-        if (runs.empty()) continue;
-        const RunRecord& r = runs.front()->record;
-        const std::string picture = fmt::format("set-up-{}.svg", report::slug(spec.scene));
+    for (const report::LibraryCase& each : cases) {
+        const RunRecord& r = each.runs.front()->record;
+        const std::string picture = fmt::format("set-up-{}.svg", report::slug(each.scene.scene));
         atomic_write(folder / picture, sketch(parse_scene(r.scene_text, r.scene_path)).svg());
         files.insert(picture);
-        const report::Judged judged = report::judged_in(spec, runs);
-        const report::Outcome outcome = report::outcome_of(summary, spec);
-        double cost = 0;
-        for (const RunSummary* run : runs) cost += run->record.cost.core_s;
-        rows +=
-            fmt::format("| <img src=\"{}\" width=\"160\"> | {} (`{}`) | {} | {} | {} of {} | {}: {} | {} |\n",
-                        picture, cell(spec.title), spec.scene, cell(spec.purpose),
-                        fmt::format("{}", fmt::join(judged.kinds, ", ")), judged.within, judged.points,
-                        cell(outcome.words), outcome.verdict, number(cost));
-        ++cases;
-        points += judged.points;
-        within += judged.within;
+        rows += fmt::format(
+            "| <img src=\"{}\" width=\"160\"> | {} (`{}`) | {} | {} | {} of {} | {}: {} | {} |\n", picture,
+            cell(each.scene.title), each.scene.scene, cell(each.scene.purpose),
+            fmt::format("{}", fmt::join(each.judged.kinds, ", ")), each.judged.within, each.judged.points,
+            cell(each.outcome.words), each.outcome.verdict, number(each.core_seconds));
     }
     return fmt::format(
         "# Library of cases, tier {}\n\nWritten by `wetdeck report DIR --publish` from stored runs; {}. {} "
-        "cases "
-        "with {} judged values and curves at their finest spacings, {} of them within tolerance. The scene "
-        "files "
-        "are in [validation/scenes](../../../validation/scenes).\n\n"
+        "The "
+        "scene files are in [validation/scenes](../../../validation/scenes).\n\n"
         "| set-up | case | what it tests | against | within tolerance | main quantity and verdict | "
-        "core-seconds "
-        "of all runs |\n|---|---|---|---|---|---|---|\n{}{}",
-        cell(summary.tier), cell(report::stamp_of(summary)), cases, points, within, rows,
+        "core-seconds of all runs |\n|---|---|---|---|---|---|---|\n{}{}",
+        cell(summary.tier), cell(report::stamp_of(summary)), report::counted(cases), rows,
         statistics_section(summary));
 }
 

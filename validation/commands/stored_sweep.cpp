@@ -52,7 +52,23 @@ SweepQuantity quantity_at(const QuantitySpec& spec, const Summary& summary) {
     return q;
 }
 
-SweepPoint point_at(const SweepPlan& plan, const std::vector<double>& at) {
+/// What the page says of the whole, from the first point and the first run at the finest spacing.
+void describe(const SweepPlan& plan, const AnalysisSpec& spec, const Summary& summary, SweepResult& result) {
+    if (result.scene.empty()) {
+        result.scene = spec.scene;
+        result.title = spec.title;
+        result.purpose = spec.purpose;
+        for (const QuantitySpec& quantity : spec.quantities)
+            if (result.expected_source.empty()) result.expected_source = quantity.expected_source;
+    }
+    for (const RunSummary& run : summary.runs) {
+        if (!result.provenance.empty() || run.record.particle_spacing != plan.spacings.back()) continue;
+        for (const char* name : {"program_version", "commit", "compiler", "simd", "cpu"})
+            result.provenance.emplace_back(name, provenance_entry(run.record, name));
+    }
+}
+
+void add_point(const SweepPlan& plan, const std::vector<double>& at, SweepResult& result) {
     const fs::path folder = point_directory(plan, at);
     std::vector<RunSummary> runs = runs_at(plan, folder);
     SweepPoint point{at, "missing", fs::relative(folder, plan.directory).string(), {}};
@@ -70,7 +86,8 @@ SweepPoint point_at(const SweepPlan& plan, const std::vector<double>& at) {
     if (present == plan.spacings.size()) point.status = to_string(summary.runs.back().record.status);
     for (const QuantitySpec& spec : scene.analysis.quantities)
         point.quantities.push_back(quantity_at(spec, summary));
-    return point;
+    describe(plan, scene.analysis, summary, result);
+    result.points.push_back(std::move(point));
 }
 
 }  // namespace
@@ -84,22 +101,7 @@ SweepResult make_sweep_report(const fs::path& directory, bool single_file) {
     SweepResult result;
     result.variant = plan.variant;
     result.axes = plan.axes;
-    for (const std::vector<double>& at : grid_points(plan.axes)) result.points.push_back(point_at(plan, at));
-    const Scene scene =
-        read_scene(find_scene(plan.scene), plan.variant, overrides_at(plan, result.points.front().at));
-    result.scene = scene.name();
-    result.title = scene.analysis.title;
-    result.purpose = scene.analysis.purpose;
-    for (const QuantitySpec& spec : scene.analysis.quantities)
-        if (result.expected_source.empty()) result.expected_source = spec.expected_source;
-    for (const SweepPoint& point : result.points) {
-        const fs::path finest = directory / point.directory / fmt::format("dx{}", plan.spacings.back());
-        if (!holds_finished_run(finest)) continue;
-        const RunRecord record = read_run(run_file(finest));
-        for (const char* name : {"program_version", "commit", "compiler", "simd", "cpu"})
-            result.provenance.emplace_back(name, provenance_entry(record, name));
-        break;
-    }
+    for (const std::vector<double>& at : grid_points(plan.axes)) add_point(plan, at, result);
     atomic_write(directory / "sweep.csv", sweep_csv(result));
     report::ReportInputs inputs;
     inputs.plotly = report::load_plotly();

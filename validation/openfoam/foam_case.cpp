@@ -183,16 +183,15 @@ std::string solution(const FoamCase& wanted) {
                "nLimiterIter 5; solver smoothSolver; smoother symGaussSeidel; tolerance 1e-10; relTol 0; }}\n"
                "    \"pcorr.*\" {{ solver PCG; preconditioner DIC; tolerance 1e-6; relTol 0; }}\n"
                "    \"rho.*\" {{ solver diagonal; }}\n"
-               "    p_rgh {{ solver GAMG; smoother {}; tolerance {}; relTol 0.01; }}\n"
-               "    p_rghFinal {{ $p_rgh; tolerance {}; relTol 0; }}\n"
+               "    p_rgh {{ solver GAMG; smoother {}; tolerance 1e-8; relTol 0.01; }}\n"
+               "    p_rghFinal {{ $p_rgh; tolerance 1e-8; relTol 0; }}\n"
                "    \"(U|T).*\" {{ solver smoothSolver; smoother symGaussSeidel; tolerance 1e-6; relTol 0; "
                "maxIter "
                "20; }}\n}}\n"
                "PIMPLE\n{{\n    momentumPredictor no;\n    transonic no;\n    nOuterCorrectors 1;\n    "
                "nCorrectors 3;\n"
                "    nNonOrthogonalCorrectors 0;\n{}}}\n",
-               wanted.compressible ? "GaussSeidel" : "DIC", wanted.compressible ? "1e-8" : "1e-8",
-               wanted.compressible ? "1e-8" : "1e-8", reference);
+               wanted.compressible ? "GaussSeidel" : "DIC", reference);
 }
 
 std::string script(const FoamCase& wanted) {

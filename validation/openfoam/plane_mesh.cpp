@@ -8,16 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/core/cross.hpp"
 #include "validation/openfoam/foam_text.hpp"
 
 namespace wetdeck {
 namespace {
 
 using Polygon = std::vector<Vec2>;
-
-double cross(Vec2 a, Vec2 b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 double area_of(const Polygon& polygon) {
     double twice = 0;

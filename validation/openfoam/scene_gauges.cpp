@@ -100,13 +100,11 @@ void add_gauges(const Scene& scene, std::optional<double> axis, SceneCase& writt
                     [](const FoamGauge& g) { return g.kind == FoamGauge::Kind::pressure; }))
         differences.emplace_back(
             "Pressure gauges: mean over five points of the disc, each the value of the cell nearest to it, "
-            "half a "
-            "cell off the wall.");
+            "half a cell off the wall.");
     if (front)
         differences.emplace_back(
             "Front: where the share of water in the lowest row of cells falls through a half; wetdeck takes "
-            "its "
-            "foremost water particle.");
+            "its foremost water particle.");
     if (depth)
         differences.emplace_back("Depth of water: of one column of cells, not of the width of the gauge.");
     if (!left_out.empty())

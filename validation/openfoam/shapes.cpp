@@ -61,9 +61,9 @@ PlaneMesh wedge_mesh(const WedgeShape& shape) {
     const double at_side = std::pow(shape.side, 1 / power);
     const double step = shape.cell / (power * std::pow(at_side, power - 1));
     const auto place = [=](Vec2 w) -> Vec2 {
+        if (w.x() == 0 && w.y() == 0) return shape.keel;  // where the logarithm of the power has no value
         const Complex z = Complex(0, -1) * std::pow(Complex(w.x(), w.y()), power);
-        return shape.keel +
-               Vec2(w.x() == 0 && w.y() == 0 ? 0 : z.real(), w.x() == 0 && w.y() == 0 ? 0 : z.imag());
+        return shape.keel + Vec2(z.real(), z.imag());
     };
     MeshGrid grid;
     grid.u = even_lines(0, reach, step);

@@ -9,6 +9,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/import/formats.hpp"
 #include "validation/run/recorders.hpp"
+#include "validation/scene/faces.hpp"
 
 namespace wetdeck {
 namespace {
@@ -59,8 +60,7 @@ void add_body(const Scene& scene, const SceneCase& written, const fs::path& fold
                                 0.5 * (force.value[k] + force.value[k - 1]) * (t[k] - t[k - 1]));
     const BodySpec& body = scene.bodies.front();
     const double surface = scene.water_boxes.front().high.y();
-    double lowest = body.outline.front().y();
-    for (const Vec2& corner : body.outline) lowest = std::min(lowest, corner.y());
+    const double lowest = extent_of(body.outline).low.y();
     Series velocity{"m/s", "of the mass centre, up", t, {}, {}}, place{"m", "of the mass centre", t, {}, {}},
         clearance{"m", "from the level of the water at the start to the body", t, {}, {}};
     for (const double time : t) {

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <numbers>
 #include <tuple>
+#include <variant>
 
 #include "solver/core/errors.hpp"
 #include "solver/probes/pressure.hpp"
@@ -74,6 +75,55 @@ double larger(double a, double b) {
     return std::max(a, b);
 }
 
+using One = double (*)(double);
+using Two = double (*)(double, double);
+using Three = double (*)(double, double, double);
+
+struct Function {
+    ExpressionFunction described;
+    std::variant<One, Two, Three> value;
+
+    template <class Value>
+    Function(const char* name, Value function, const char* meaning)
+        : described{name, static_cast<int>(std::variant<One, Two, Three>(function).index()) + 1, meaning},
+          value(function) {}
+};
+
+/// All functions: a new one is a row.
+const std::vector<Function>& functions() {
+    static const std::vector<Function> all = {
+        {"sin", One(std::sin), "sine of an angle in rad"},
+        {"cos", One(std::cos), "cosine"},
+        {"tan", One(std::tan), "tangent"},
+        {"asin", One(std::asin), "arc sine [rad]"},
+        {"acos", One(std::acos), "arc cosine [rad]"},
+        {"atan", One(std::atan), "arc tangent [rad]"},
+        {"sqrt", One(std::sqrt), "square root"},
+        {"exp", One(std::exp), "exponential"},
+        {"ln", One(std::log), "natural logarithm"},
+        {"log10", One(std::log10), "decimal logarithm"},
+        {"abs", One(std::fabs), "absolute value"},
+        {"floor", One(std::floor), "largest whole number that is not above"},
+        {"ceil", One(std::ceil), "smallest whole number that is not below"},
+        {"min", smaller, "the smaller of two"},
+        {"max", larger, "the larger of two"},
+        {"wedge_force", wedge_force,
+         "F/(rho V^3 t) of a wedge of this deadrise [rad] at constant speed V, exact similarity solution"},
+        {"wedge_peak_pressure", wedge_peak_pressure, "largest pressure on its faces over rho V^2/2"},
+        {"wedge_patch_pressure", wedge_patch_pressure,
+         "largest mean pressure over a patch of a face over rho V^2/2; the second number is the length of "
+         "the "
+         "patch over V t"},
+        {"wedge_chine_depth", wedge_chine_depth,
+         "penetration [m] at which its pressure peak reaches a chine at this half beam [m]"},
+        {"heeled_lift", heeled_lift,
+         "F_y/(rho V^3 t) of a wedge whose left and right faces make these angles [rad] with the water, and "
+         "that moves to the right with the third number times V"},
+        {"heeled_side_force", heeled_side_force, "F_x/(rho V^3 t) of the same"},
+        {"heeled_moment", heeled_moment, "moment about its keel over rho V^4 t^2"}};
+    return all;
+}
+
 bool is_name(const std::string& name) {
     return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) &&
            std::all_of(name.begin(), name.end(),
@@ -92,37 +142,12 @@ bool is_expression(std::string_view text) {
 }
 
 const std::vector<ExpressionFunction>& expression_functions() {
-    static const std::vector<ExpressionFunction> functions = {
-        {"sin", 1, "sine of an angle in rad"},
-        {"cos", 1, "cosine"},
-        {"tan", 1, "tangent"},
-        {"asin", 1, "arc sine [rad]"},
-        {"acos", 1, "arc cosine [rad]"},
-        {"atan", 1, "arc tangent [rad]"},
-        {"sqrt", 1, "square root"},
-        {"exp", 1, "exponential"},
-        {"ln", 1, "natural logarithm"},
-        {"log10", 1, "decimal logarithm"},
-        {"abs", 1, "absolute value"},
-        {"floor", 1, "largest whole number that is not above"},
-        {"ceil", 1, "smallest whole number that is not below"},
-        {"min", 2, "the smaller of two"},
-        {"max", 2, "the larger of two"},
-        {"wedge_force", 1,
-         "F/(rho V^3 t) of a wedge of this deadrise [rad] at constant speed V, exact similarity solution"},
-        {"wedge_peak_pressure", 1, "largest pressure on its faces over rho V^2/2"},
-        {"wedge_patch_pressure", 2,
-         "largest mean pressure over a patch of a face over rho V^2/2; the second number is the length of "
-         "the "
-         "patch over V t"},
-        {"wedge_chine_depth", 2,
-         "penetration [m] at which its pressure peak reaches a chine at this half beam [m]"},
-        {"heeled_lift", 3,
-         "F_y/(rho V^3 t) of a wedge whose left and right faces make these angles [rad] with the water, and "
-         "that moves to the right with the third number times V"},
-        {"heeled_side_force", 3, "F_x/(rho V^3 t) of the same"},
-        {"heeled_moment", 3, "moment about its keel over rho V^4 t^2"}};
-    return functions;
+    static const std::vector<ExpressionFunction> described = [] {
+        std::vector<ExpressionFunction> all;
+        for (const Function& each : functions()) all.push_back(each.described);
+        return all;
+    }();
+    return described;
 }
 
 struct Expressions::Parser {
@@ -132,30 +157,8 @@ struct Expressions::Parser {
         formulas.ClearFun();
         formulas.ClearConst();
         formulas.DefineConst("pi", std::numbers::pi);
-        const auto define = [this](const char* name, auto function) { formulas.DefineFun(name, function); };
-        using One = double (*)(double);
-        define("sin", static_cast<One>(std::sin));
-        define("cos", static_cast<One>(std::cos));
-        define("tan", static_cast<One>(std::tan));
-        define("asin", static_cast<One>(std::asin));
-        define("acos", static_cast<One>(std::acos));
-        define("atan", static_cast<One>(std::atan));
-        define("sqrt", static_cast<One>(std::sqrt));
-        define("exp", static_cast<One>(std::exp));
-        define("ln", static_cast<One>(std::log));
-        define("log10", static_cast<One>(std::log10));
-        define("abs", static_cast<One>(std::fabs));
-        define("floor", static_cast<One>(std::floor));
-        define("ceil", static_cast<One>(std::ceil));
-        define("min", smaller);
-        define("max", larger);
-        define("wedge_force", wedge_force);
-        define("wedge_peak_pressure", wedge_peak_pressure);
-        define("wedge_patch_pressure", wedge_patch_pressure);
-        define("wedge_chine_depth", wedge_chine_depth);
-        define("heeled_lift", heeled_lift);
-        define("heeled_side_force", heeled_side_force);
-        define("heeled_moment", heeled_moment);
+        for (const Function& each : functions())
+            std::visit([&](auto function) { formulas.DefineFun(each.described.name, function); }, each.value);
     }
 
     /// Names in a formula that are known or not.

@@ -7,16 +7,13 @@
 #include <numbers>
 #include <set>
 
+#include "solver/core/cross.hpp"
 #include "solver/core/errors.hpp"
 
 namespace wetdeck {
 namespace {
 
 constexpr double same_point = 1e-6;  // of the extent
-
-double cross(Vec2 a, Vec2 b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 double extent_of_all(const std::vector<Outline>& curves) {
     Vec2 low = Vec2::Constant(1e300), high = Vec2::Constant(-1e300);

@@ -2,35 +2,28 @@
 // A folder of files for the readers of other codes.
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
 
+#include "tests/unit/store/store_samples.hpp"
+
 namespace wetdeck {
 
+/// A scratch folder whose files may lie in folders of their own.
 class ImportFolder {
   public:
-    ImportFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "wetdeck-import-XXXXXX").string();
-        root_ = mkdtemp(pattern.data());
-    }
-    ~ImportFolder() { std::filesystem::remove_all(root_); }
-    ImportFolder(const ImportFolder&) = delete;
-    ImportFolder& operator=(const ImportFolder&) = delete;
-
     /// Writes a file and returns its path.
     std::string write(const std::string& name, const std::string& text) const {
-        const std::filesystem::path path = root_ / name;
-        std::filesystem::create_directories(path.parent_path());
-        std::ofstream(path) << text;
-        return path.string();
+        const std::filesystem::path file = folder_ / name;
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file) << text;
+        return file.string();
     }
-    std::string path(const std::string& name) const { return (root_ / name).string(); }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   private:
-    std::filesystem::path root_;
+    samples::ScratchFolder folder_;
 };
 
 /// The message of the error that a call ends with.
