@@ -14,9 +14,11 @@ constexpr double largest_displacement = 0.07;  ///< along each axis, in spacings
 constexpr int cycles = 4;
 constexpr double cycle_length = 50;  ///< spacings that sound of the slower fluid travels
 
-void displace(FluidParticles& fluid, double largest, std::uint64_t seed) {
+void displace(SimulationSetup& setup, std::uint64_t seed) {
     Dice dice(seed);
-    for (FluidState& p : fluid.state) {
+    for (FluidState& p : setup.fluid.state) {
+        double largest = largest_displacement * setup.particle_spacing;
+        if (setup.coarsest > 1) largest /= p.fineness;
         p.x += dice.symmetric(largest);
         p.y += dice.symmetric(largest);
     }
@@ -52,7 +54,7 @@ FluidParticles settled_arrangement(const SimulationSetup& given, std::uint64_t s
     for (FluidState& p : setup.fluid.state) p.vx = p.vy = 0;
     for (RigidBody& body : setup.bodies) hold(body);
     setup.tank_motion = {};
-    displace(setup.fluid, largest_displacement * setup.particle_spacing, seed);
+    displace(setup, seed);
     double sound = setup.model.water.eos.sound_speed;
     if (setup.fluid.water < setup.fluid.size()) sound = std::min(sound, setup.model.air.eos.sound_speed);
     for (int cycle = 0; cycle < cycles; ++cycle) settle(setup, cycle_length * setup.particle_spacing / sound);

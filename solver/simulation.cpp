@@ -14,13 +14,26 @@
 namespace wetdeck {
 namespace {
 
+/// Throws unless each particle has a fineness between that of the coarsest and 1.
+void check_finenesses(const SimulationSetup& setup) {
+    if (!(setup.coarsest >= 1)) throw InputError("coarsest must be the largest spacing over the finest");
+    if (setup.coarsest == 1) return;
+    const double least = 1 / setup.coarsest * (1 - 1e-12);
+    const auto good = [least](double fineness) { return fineness >= least && fineness <= 1; };
+    const auto good_fluid = [&](const FluidState& p) { return good(p.fineness); };
+    if (!std::all_of(setup.fluid.state.begin(), setup.fluid.state.end(), good_fluid) ||
+        !std::all_of(setup.walls.fineness.begin(), setup.walls.fineness.end(), good))
+        throw InputError("each particle needs a fineness between that of the coarsest spacing and 1");
+}
+
 /// The constants of a set-up, checked, with substeps and threads resolved.
 RatesSetup checked(const SimulationSetup& setup) {
     const bool good = setup.particle_spacing > 0 && std::isfinite(setup.particle_spacing);
     if (!good) throw InputError("particle_spacing must be positive");
     if (setup.fluid.size() == 0) throw InputError("a simulation needs fluid particles");
     for (const RigidBody& body : setup.bodies) body.check();
-    RatesSetup result{setup.model, setup.execution, setup.particle_spacing, setup.domain};
+    check_finenesses(setup);
+    RatesSetup result{setup.model, setup.execution, setup.particle_spacing, setup.domain, setup.coarsest};
     if (setup.model.periodic_x && (!setup.bodies.empty() || setup.model.sponge_thickness > 0))
         throw InputError("a periodic domain can have neither bodies nor a sponge layer");
     if (setup.model.mirror_x && (setup.model.periodic_x || setup.model.contact.on()))

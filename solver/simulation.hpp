@@ -18,14 +18,16 @@ namespace wetdeck {
 
 /// What a simulation is made of.
 struct SimulationSetup {
-    Model model;                         ///< fluids and scheme
-    FluidParticles fluid;                ///< with densities and masses set (set_initial_pressure)
-    WallParticles walls;                 ///< of the tank, then of the bodies
-    double particle_spacing = 0;         ///< of the lattice that the fluid was laid on [m]
-    Box domain;                          ///< interior of the tank [m]
+    Model model;                  ///< fluids and scheme
+    FluidParticles fluid;         ///< with densities and masses set (set_initial_pressure); where spacings
+                                  ///< differ, with the fineness of each particle
+    WallParticles walls;          ///< of the tank, then of the bodies
+    double particle_spacing = 0;  ///< of the lattice that the fluid was laid on, the finest [m]
+    Box domain;                   ///< interior of the tank [m]
     std::vector<RigidBody> bodies = {};  ///< in the order of the numbers that their boundary particles carry
     Execution execution = {};            ///< threads, neighbour list, instruction set
     MovingFrame tank_motion = {};        ///< of the tank; it cannot be periodic or have a sponge layer then
+    double coarsest = 1;                 ///< largest spacing over the finest; 1: all are equal
 };
 
 /// Fluid, walls and bodies under one model, and their march in time. The same set-up gives the same bits on
@@ -62,14 +64,21 @@ class Simulation {
     const WallParticles& walls() const { return flow_.walls; }   ///< of the tank, then of bodies
     const std::vector<RigidBody>& bodies() const { return flow_.bodies; }        ///< in the order given
     Box domain() const { return rates_.setup().domain; }                         ///< of the tank [m]
-    double particle_spacing() const { return rates_.setup().particle_spacing; }  ///< [m]
-    WendlandC2 kernel() const { return rates_.kernel(); }                        ///< with its length h
-    double time() const { return flow_.time; }                                   ///< since the start [s]
-    std::uint64_t steps() const { return steps_; }                               ///< of the water, so far
-    std::uint64_t particle_steps() const { return particle_steps_; }             ///< rates summed so far
-    TimeStep time_step() const { return time_step_; }                            ///< of the last step
-    TimeStep next_step() const { return step_of(model(), stable_step()); }       ///< unless it is shortened
-    const StageTimes& stage_times() const { return rates_.stages(); }            ///< so far
+    double particle_spacing() const { return rates_.setup().particle_spacing; }  ///< the finest [m]
+    double coarsest() const { return rates_.setup().coarsest; }  ///< largest spacing over the finest
+    /// Whether particles differ in their spacings.
+    bool graded() const { return rates_.setup().graded(); }
+    /// Spacing that a fluid particle was laid at [m].
+    double spacing_of(const FluidState& p) const {
+        return graded() ? particle_spacing() / p.fineness : particle_spacing();
+    }
+    WendlandC2 kernel() const { return rates_.kernel(); }  ///< of the finest spacing, with its length h
+    double time() const { return flow_.time; }             ///< since the start [s]
+    std::uint64_t steps() const { return steps_; }         ///< of the water, so far
+    std::uint64_t particle_steps() const { return particle_steps_; }        ///< rates summed so far
+    TimeStep time_step() const { return time_step_; }                       ///< of the last step
+    TimeStep next_step() const { return step_of(model(), stable_step()); }  ///< unless it is shortened
+    const StageTimes& stage_times() const { return rates_.stages(); }       ///< so far
 
     /// Steps whose size each criterion set, in the order of LimitingCriterion.
     const std::array<std::uint64_t, limiting_criterion_names.size()>& limiting_counts() const {

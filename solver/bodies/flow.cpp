@@ -30,27 +30,32 @@ void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volu
     struct Point {
         std::size_t owner;  // 0: the tank
         Vec2 position;
+        double fineness;
         std::size_t index;
     };
     std::vector<Point> points;
     for (std::size_t n = 0; n < walls.size(); ++n) {
         const BodyPoint& p = walls.body_point[n];
         if (n < walls.fixed) {
-            points.push_back({0, {walls.state[n].x, walls.state[n].y}, n});
+            points.push_back({0, {walls.state[n].x, walls.state[n].y}, walls.fineness[n], n});
         } else {
-            points.push_back({std::size_t{p.body} + 1, {p.x, p.y}, n});
+            points.push_back({std::size_t{p.body} + 1, {p.x, p.y}, walls.fineness[n], n});
         }
     }
     std::sort(points.begin(), points.end(), [](const Point& a, const Point& b) {
         return std::tuple(a.owner, a.position.x(), a.index) < std::tuple(b.owner, b.position.x(), b.index);
     });
     walls.own_sum.assign(walls.size(), volume * kernel.value(0));
+    double coarsest = 1;
+    for (const double fineness : walls.fineness) coarsest = std::max(coarsest, 1 / fineness);
     for (auto a = points.begin(); a != points.end(); ++a) {
         for (auto b = a + 1; b != points.end() && b->owner == a->owner; ++b) {
-            if (b->position.x() - a->position.x() >= kernel.support_radius()) break;
-            const double share = volume * kernel.value((b->position - a->position).norm());
-            walls.own_sum[a->index] += share;
-            walls.own_sum[b->index] += share;
+            if (b->position.x() - a->position.x() >= coarsest * kernel.support_radius()) break;
+            const double of_pair = 0.5 * (a->fineness + b->fineness);
+            const double share = volume * WendlandC2{kernel.smoothing_length / of_pair}.value(
+                                              (b->position - a->position).norm());
+            walls.own_sum[a->index] += share / (b->fineness * b->fineness);
+            walls.own_sum[b->index] += share / (a->fineness * a->fineness);
         }
     }
     for (double& sum : walls.own_sum) sum = std::min(sum, 1.0);  // rounding of the lattice

@@ -36,7 +36,8 @@ void measure_bodies(Flow& flow, double added_mass, Vec2 gravity);
 
 /// Sets the kernel sum of each boundary particle over those of the same body, or of the tank, itself
 /// included; 1 at most.
-/// @param volume  of each boundary particle [m^2]
+/// @param kernel  of the finest spacing
+/// @param volume  of each boundary particle of the finest spacing [m^2]
 void sum_own_kernels(WallParticles& walls, const WendlandC2& kernel, double volume);
 
 /// Moves the boundary particles of the bodies to where the poses put them, Eqs. (22)-(23). Where the tank

@@ -50,6 +50,19 @@ inline Neighbours wall_neighbours(const NeighbourBlocks& blocks, const Cluster& 
 /// Positions of the particles of a cluster, by lane.
 struct ClusterPoints {
     double x[cluster_width], y[cluster_width];
+    double half_fineness[cluster_width];  ///< half the finest smoothing length over their own
+};
+
+/// How far apart the particles of a listed pair are at most.
+struct ListReach {
+    double support = 0;  ///< of the kernel of the finest [m]
+    double skin = 0;     ///< [m]
+
+    /// Of a pair with this fineness: the finest smoothing length over that of its kernel [m].
+    template <class Real>
+    Real of(Real fineness) const {
+        return support / fineness + skin;
+    }
 };
 
 /// Particles among which the neighbours of a cluster are looked for: indices [begin, end) of positions that
@@ -58,12 +71,14 @@ struct Candidates {
     const double* positions = nullptr;
     std::size_t stride = 0;
     std::uint32_t begin = 0, end = 0;
+    const double* fineness = nullptr;  ///< where particles differ in it: as many numbers apart as this
+    std::size_t fineness_stride = 0;
 };
 
-/// Writes to `out` which of the candidates are within `reach` of any of the points, and returns how many. It
+/// Writes to `out` which of the candidates are within reach of any of the points, and returns how many. It
 /// may write one entry beyond them.
-using NearFilter = std::uint32_t (*)(const ClusterPoints& points, const Candidates& candidates, double reach,
-                                     std::uint32_t* out);
+using NearFilter = std::uint32_t (*)(const ClusterPoints& points, const Candidates& candidates,
+                                     const ListReach& reach, std::uint32_t* out);
 
 /// Which pairs a pass sums up.
 enum class Pairs { all, with_air };

@@ -24,13 +24,15 @@ void counting_sort(std::span<const std::uint32_t> keys, std::size_t key_count,
     start[0] = 0;
 }
 
-template <class State>
-ClusterPoints points_of(const State* state, const Cluster& cluster) {
+/// @param fineness  of the particle with an index
+template <class State, class Fineness>
+ClusterPoints points_of(const State* state, const Cluster& cluster, Fineness fineness) {
     ClusterPoints points;
     for (std::uint32_t lane = 0; lane < cluster_width; ++lane) {
         const State& particle = state[cluster.at(lane)];
         points.x[lane] = particle.x;
         points.y[lane] = particle.y;
+        points.half_fineness[lane] = 0.5 * fineness(cluster.at(lane));
     }
     return points;
 }
@@ -41,62 +43,42 @@ Box bounds(const ClusterPoints& points) {
     return {{*left, *low}, {*right, *high}};
 }
 
-CellGrid grid_over(Box domain, double particle_spacing, double margin) {
-    CellGrid grid{3.2 * particle_spacing, particle_spacing, 0, 0};
-    const Vec2 size = domain.high - domain.low + Vec2::Constant(2 * margin);
-    grid.strips = static_cast<std::uint32_t>(std::ceil(size.x() / grid.cell_width)) + 1;
-    grid.rows = static_cast<std::uint32_t>(std::ceil(size.y() / grid.cell_height)) + 1;
-    return grid;
-}
-
-void append_clusters(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, Phase phase) {
-    for (std::size_t first = begin; first < end; first += cluster_width) {
-        Cluster cluster;
-        cluster.first = static_cast<std::uint32_t>(first);
-        cluster.count = static_cast<std::uint32_t>(std::min<std::size_t>(cluster_width, end - first));
-        cluster.phase = phase;
-        clusters.push_back(cluster);
-    }
+Box widened(Box box, double margin) {
+    return {box.low - Vec2::Constant(margin), box.high + Vec2::Constant(margin)};
 }
 
 }  // namespace
 
 NeighbourList::NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                             bool with_walls_own_lists, DomainEnds ends)
-    : origin_(domain.low - Vec2::Constant(support_radius + skin)),
-      grid_(grid_over(domain, particle_spacing, support_radius + skin)),
-      reach_(support_radius + skin),
-      skin_(skin),
-      motion_(grid_, reach_, skin),
-      with_walls_own_lists_(with_walls_own_lists) {
+                             bool with_walls_own_lists, DomainEnds ends, double coarsest)
+    : grid_(grid_over(widened(domain, coarsest * support_radius + skin), particle_spacing)),
+      reach_{support_radius, skin},
+      graded_(coarsest > 1),
+      motion_(grid_, reach_.of(1 / coarsest), skin),
+      with_walls_own_lists_(with_walls_own_lists),
+      fluid_cells_(grid_, coarsest),
+      image_cells_(grid_, coarsest),
+      fixed_cells_(grid_, coarsest),
+      body_cells_(grid_, coarsest) {
     // walls run on beyond the ends by a support, and see the fluid around themselves
-    if (ends != DomainEnds::walls) images_.emplace(ends, domain, 2 * reach_);
-}
-
-NeighbourList::Cell NeighbourList::cell_of(double x, double y) const {
-    const auto clamped = [](double offset, double width, std::uint32_t count) {
-        return static_cast<std::uint32_t>(std::clamp(offset / width, 0.0, static_cast<double>(count - 1)));
-    };
-    return {clamped(x - origin_.x(), grid_.cell_width, grid_.strips),
-            clamped(y - origin_.y(), grid_.cell_height, grid_.rows)};
+    if (ends != DomainEnds::walls) images_.emplace(ends, domain, 2 * reach_.of(1 / coarsest));
 }
 
 void NeighbourList::sort_fixed_walls(WallParticles& walls) {
-    sort_walls(walls, 0, walls.fixed, fixed_start_);
-    for (std::size_t n = 0; n < walls.fixed; ++n) {
-        const Cell cell = cell_of(walls.state[n].x, walls.state[n].y);
-        motion_.keep_at_rest(cell.strip, cell.row);
-    }
+    sort_walls(walls, 0, walls.fixed, fixed_cells_);
+    for (std::size_t n = 0; n < walls.fixed; ++n) motion_.keep_at_rest({walls.state[n].x, walls.state[n].y});
 }
 
-void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
-                               std::vector<std::uint32_t>& start) {
+void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells) {
     const std::size_t count = end - begin;
+    const auto place = [&](std::size_t i) {
+        return Vec2(walls.state[begin + i].x, walls.state[begin + i].y);
+    };
+    cells.fit(count, place, [&](std::size_t i) { return walls.fineness[begin + i]; });
     key_.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        key_[i] = cell_index(cell_of(walls.state[begin + i].x, walls.state[begin + i].y));
-    counting_sort(key_, cells(), start, order_);
-    for (std::uint32_t& s : start) s += static_cast<std::uint32_t>(begin);
+    for (std::size_t i = 0; i < count; ++i) key_[i] = cells.cell_of(place(i), walls.fineness[begin + i]);
+    counting_sort(key_, cells.count(), cells.start, order_);
+    for (std::uint32_t& s : cells.start) s += static_cast<std::uint32_t>(begin);
     for_each_field(sorted_walls_, [&](const auto& field, auto& sorted) {
         if (field.sorted == Sorted::no) return;
         auto& values = walls.*field.values;
@@ -110,14 +92,14 @@ void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, NearFilte
     if (images_) images_->wrap(fluid);
     sort_fluid(fluid, threads);
     if (images_) place_images(fluid);
-    if (walls.size() > walls.fixed) sort_walls(walls, walls.fixed, walls.size(), body_start_);
+    if (walls.size() > walls.fixed) sort_walls(walls, walls.fixed, walls.size(), body_cells_);
     clusters_.clear();
-    append_clusters(clusters_, 0, fluid.water, Phase::water);
-    append_clusters(clusters_, fluid.water, fluid.size(), Phase::air);
+    fluid_cells_.append_clusters(clusters_, 0, Phase::water);
+    fluid_cells_.append_clusters(clusters_, 1, Phase::air);
     built_body_.clear();
     for (std::size_t n = walls.fixed; n < walls.size(); ++n)
         built_body_.emplace_back(walls.state[n].x, walls.state[n].y);
-    slack_ = skin_;
+    slack_ = skin();
     list_neighbours(fluid, walls, near, threads);
 }
 
@@ -126,7 +108,7 @@ bool NeighbourList::still_complete(double farthest, const FluidParticles& fluid,
     slack_ -= 2 * farthest;
     if (slack_ < 0) {
         collect_moves(fluid, walls, threads);
-        slack_ = skin_ - motion_.approach(threads);
+        slack_ = skin() - motion_.approach(threads);
     }
     return slack_ >= 0;
 }
@@ -135,46 +117,53 @@ bool NeighbourList::still_complete(double farthest, const FluidParticles& fluid,
 void NeighbourList::collect_moves(const FluidParticles& fluid, const WallParticles& walls, int threads) {
     motion_.clear();
     const auto move = [&](std::uint32_t i) -> Vec2 { return fluid.state[i].position() - built_at(i); };
-    const auto columns = static_cast<std::int64_t>(motion_.columns());
+    if (graded_) {
+        for (std::uint32_t i = 0; i < fluid.size(); ++i) extend(motion_.moves(built_at(i)), move(i));
+    } else {
+        const auto columns = static_cast<std::int64_t>(motion_.columns());
+        const auto cells = static_cast<std::uint32_t>(fluid_cells_.count());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-    for (std::int64_t n = 0; n < columns; ++n) {
-        const std::uint32_t first_strip = static_cast<std::uint32_t>(n) * motion_.block_strips();
-        const std::uint32_t end_strip = std::min(grid_.strips, first_strip + motion_.block_strips());
-        for (std::uint32_t strip = first_strip; strip < end_strip; ++strip) {
-            for (std::uint32_t row = 0; row < grid_.rows; row += motion_.block_rows()) {
-                const std::uint32_t end_row = std::min(grid_.rows, row + motion_.block_rows());
-                Box moves = motion_.moves(strip, row);
-                for (std::size_t phase = 0; phase < phase_count; ++phase) {
-                    const std::uint32_t* start =
-                        fluid_start_.data() + phase * cells() + cell_index({strip, 0});
-                    for (std::uint32_t i = start[row]; i < start[end_row]; ++i) extend(moves, move(i));
+        for (std::int64_t n = 0; n < columns; ++n) {
+            const std::uint32_t first_strip = static_cast<std::uint32_t>(n) * motion_.block_strips();
+            const std::uint32_t end_strip = std::min(grid_.strips, first_strip + motion_.block_strips());
+            for (std::uint32_t strip = first_strip; strip < end_strip; ++strip) {
+                for (std::uint32_t row = 0; row < grid_.rows; row += motion_.block_rows()) {
+                    const std::uint32_t end_row = std::min(grid_.rows, row + motion_.block_rows());
+                    Box& block = motion_.moves(CellGrid::Cell{strip, row});
+                    Box moves = block;
+                    for (std::uint32_t phase = 0; phase < phase_count; ++phase) {
+                        const std::uint32_t* start =
+                            fluid_cells_.start.data() + phase * cells + strip * grid_.rows;
+                        for (std::uint32_t i = start[row]; i < start[end_row]; ++i) extend(moves, move(i));
+                    }
+                    block = moves;
                 }
-                motion_.moves(strip, row) = moves;
             }
         }
     }
-    const auto extend_at = [&](Vec2 place, Vec2 by) {
-        const Cell cell = cell_of(place.x(), place.y());
-        extend(motion_.moves(cell.strip, cell.row), by);
-    };
     for (std::size_t n = 0; n < built_body_.size(); ++n) {
         const WallState& p = walls.state[walls.fixed + n];
-        extend_at(built_body_[n], Vec2(p.x, p.y) - built_body_[n]);
+        extend(motion_.moves(built_body_[n]), Vec2(p.x, p.y) - built_body_[n]);
     }
     if (!images_) return;
     for (const DomainImages::Image& image : images_->images())
-        extend_at(image.place(built_at(image.source)), image.turn(move(image.source)));
+        extend(motion_.moves(image.place(built_at(image.source))), image.turn(move(image.source)));
 }
 
 void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
+    fluid_cells_.fit(
+        fluid.size(), [&](std::size_t i) { return fluid.state[i].position(); },
+        [&](std::size_t i) { return fluid.state[i].fineness; });
     key_.resize(fluid.size());
+    const auto cells = static_cast<std::uint32_t>(fluid_cells_.count());
     const auto size = static_cast<std::int64_t>(fluid.size());
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
-        key_[i] = sort_key(fluid.state[i].x, fluid.state[i].y, fluid.phase(i));
+        const FluidState& p = fluid.state[i];
+        key_[i] = fluid_cells_.cell_of(p.position(), fineness_of(p)) + (i < fluid.water ? 0 : cells);
     }
-    counting_sort(key_, phase_count * cells(), fluid_start_, order_);
+    counting_sort(key_, phase_count * cells, fluid_cells_.start, order_);
     for_each_field(fluid, [&](const auto& field, auto& values) {
         if (field.sorted == Sorted::no) return;
         auto& sorted = sorted_.*field.values;
@@ -198,15 +187,18 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
 /// Sorts the images like the fluid: by phase, then along the grid.
 void NeighbourList::place_images(const FluidParticles& fluid) {
     images_->choose(fluid);
+    const std::vector<DomainImages::Image>& images = images_->images();
+    const auto source = [&](std::size_t n) -> const FluidState& { return fluid.state[images[n].source]; };
+    const auto place = [&](std::size_t n) { return images[n].place(source(n).position()); };
+    image_cells_.fit(images.size(), place, [&](std::size_t n) { return source(n).fineness; });
+    const auto cells = static_cast<std::uint32_t>(image_cells_.count());
     key_.clear();
-    for (const DomainImages::Image& image : images_->images()) {
-        const FluidState& p = fluid.state[image.source];
-        const Vec2 at = image.place(p.position());
-        key_.push_back(sort_key(at.x(), at.y(), fluid.phase(image.source)));
-    }
-    counting_sort(key_, phase_count * cells(), image_start_, order_);
+    for (std::size_t n = 0; n < images.size(); ++n)
+        key_.push_back(image_cells_.cell_of(place(n), fineness_of(source(n))) +
+                       (images[n].source < fluid.water ? 0 : cells));
+    counting_sort(key_, phase_count * cells, image_cells_.start, order_);
     images_->reorder(order_);
-    for (std::uint32_t& start : image_start_) start += static_cast<std::uint32_t>(fluid.size());
+    for (std::uint32_t& start : image_cells_.start) start += static_cast<std::uint32_t>(fluid.size());
 }
 
 /// What the search for the neighbours of every cluster reads.
@@ -221,8 +213,8 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
                                     int threads) {
     if (with_walls_own_lists_) {
         wall_clusters_.clear();
-        append_clusters(wall_clusters_, 0, walls.fixed, Phase::water);
-        append_clusters(wall_clusters_, walls.fixed, walls.size(), Phase::water);
+        fixed_cells_.append_clusters(wall_clusters_, 0, Phase::water);
+        if (walls.size() > walls.fixed) body_cells_.append_clusters(wall_clusters_, 0, Phase::water);
     }
     const std::size_t total = clusters_.size() + wall_clusters_.size();
     const std::size_t blocks = (total + clusters_per_block - 1) / clusters_per_block;
@@ -240,6 +232,8 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
 /// The neighbours of the clusters of one block, appended to its list one after the other.
 void NeighbourList::list_block(const Search& search, std::size_t block) {
     constexpr std::size_t line = sizeof(FluidState) / sizeof(double);
+    const auto of_fluid = [&](std::uint32_t i) { return fineness_of(search.fluid.state[i]); };
+    const auto of_walls = [&](std::uint32_t i) { return search.walls.fineness[i]; };
     const FluidParticles& fluid = search.fluid;
     const WallParticles& walls = search.walls;
     std::vector<std::uint32_t>& list = blocks_[block];
@@ -251,38 +245,42 @@ void NeighbourList::list_block(const Search& search, std::size_t block) {
         Cluster& cluster = of_wall ? wall_clusters_[n - clusters_.size()] : clusters_[n];
         cluster.block = static_cast<std::uint32_t>(block);
         cluster.offset = static_cast<std::uint32_t>(used);
-        const ClusterPoints points =
-            of_wall ? points_of(walls.state.data(), cluster) : points_of(fluid.state.data(), cluster);
+        const ClusterPoints points = of_wall ? points_of(walls.state.data(), cluster, of_walls)
+                                             : points_of(fluid.state.data(), cluster, of_fluid);
         const Box box = bounds(points);
-        const Cell low = cell_of(box.low.x() - reach_, box.low.y() - reach_);
-        const Cell high = cell_of(box.high.x() + reach_, box.high.y() + reach_);
-        const auto add_near = [&](const double* positions, std::size_t stride, const std::uint32_t* start) {
+        const double half_fineness =
+            *std::min_element(std::begin(points.half_fineness), std::end(points.half_fineness));
+        const auto add_near = [&](const Places& places, std::size_t group) {
             const std::size_t before = used;
-            for (std::uint32_t strip = low.strip; strip <= high.strip; ++strip) {
-                const std::uint32_t begin = start[cell_index({strip, low.row})];
-                const std::uint32_t end = start[cell_index({strip, high.row}) + 1];
-                if (begin == end) continue;
-                // one entry of slack: the filter writes each candidate before it knows whether to keep it
-                const std::size_t most = used + (end - begin) + 1;
-                if (list.size() < most) {
-                    list.reserve(most + most / 8);  // by itself it would double
-                    list.resize(list.capacity());
-                }
-                used += search.near(points, {positions, stride, begin, end}, reach_, list.data() + used);
-            }
+            places.cells.for_each_run(
+                box, half_fineness, reach_, group, [&](std::uint32_t begin, std::uint32_t end) {
+                    // one entry of slack: the filter writes each candidate before it knows whether to keep it
+                    const std::size_t most = used + (end - begin) + 1;
+                    if (list.size() < most) {
+                        list.reserve(most + most / 8);  // by itself it would double
+                        list.resize(list.capacity());
+                    }
+                    const Candidates candidates{places.positions, places.stride,         begin, end,
+                                                places.fineness,  places.fineness_stride};
+                    used += search.near(points, candidates, reach_, list.data() + used);
+                });
             return static_cast<std::uint32_t>(used - before);
         };
+        const double* fineness = &search.listed->fineness;
+        const Places in_fluid{fluid_cells_, built_.data(), 2, fineness, line};
+        const Places in_images{image_cells_, &search.listed->x, line, fineness, line};
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             std::uint32_t& count = cluster.fluid_neighbours[phase];
-            count = fluid.size() == 0 ? 0 : add_near(built_.data(), 2, fluid_start_.data() + phase * cells());
-            if (images_) count += add_near(&search.listed->x, line, image_start_.data() + phase * cells());
+            count = fluid.size() == 0 ? 0 : add_near(in_fluid, phase);
+            if (images_) count += add_near(in_images, phase);
         }
         cluster.wall_neighbours = 0;
         if (of_wall) continue;
-        if (walls.fixed > 0)
-            cluster.wall_neighbours += add_near(&walls.state[0].x, line, fixed_start_.data());
-        if (walls.size() > walls.fixed)
-            cluster.wall_neighbours += add_near(&walls.state[0].x, line, body_start_.data());
+        for (const CellLevels* cells : {&fixed_cells_, &body_cells_}) {
+            if (cells == &fixed_cells_ ? walls.fixed == 0 : walls.size() == walls.fixed) continue;
+            cluster.wall_neighbours +=
+                add_near({*cells, &walls.state[0].x, line, walls.fineness.data(), 1}, 0);
+        }
     }
 }
 
@@ -294,12 +292,12 @@ std::size_t NeighbourList::entries() const {
 }
 
 std::size_t NeighbourList::bytes() const {
-    std::size_t sum = (clusters_.capacity() + wall_clusters_.capacity()) * sizeof(Cluster) +
-                      built_.capacity() * sizeof(double) + built_body_.capacity() * sizeof(Vec2) +
-                      motion_.bytes() +
-                      (key_.capacity() + order_.capacity() + fluid_start_.capacity() +
-                       image_start_.capacity() + fixed_start_.capacity() + body_start_.capacity()) *
-                          sizeof(std::uint32_t);
+    std::size_t sum =
+        (clusters_.capacity() + wall_clusters_.capacity()) * sizeof(Cluster) +
+        built_.capacity() * sizeof(double) + built_body_.capacity() * sizeof(Vec2) + motion_.bytes() +
+        (key_.capacity() + order_.capacity() + fluid_cells_.start.capacity() + image_cells_.start.capacity() +
+         fixed_cells_.start.capacity() + body_cells_.start.capacity()) *
+            sizeof(std::uint32_t);
     const auto add = [&sum](const auto&, const auto& values) {
         sum += values.capacity() * sizeof(values[0]);
     };

@@ -3,9 +3,9 @@
 //
 // A grid of cells 3.2 spacings wide and one high, numbered strip by strip, serves twice: fluid particles
 // sorted along it make compact clusters, and the candidates of a cluster are one
-// contiguous run per strip. The list holds every pair closer than the kernel's support plus a skin. It stays
-// complete while no two particles can have come closer by more than the skin since it was built
-// (relative_motion.hpp).
+// contiguous run per strip (cell_levels.hpp). The list holds every pair
+// closer than the kernel's support plus a skin. It stays complete while no two particles can have come closer
+// by more than the skin since it was built (relative_motion.hpp).
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "solver/core/vec2.hpp"
-#include "solver/neighbours/cluster.hpp"
+#include "solver/neighbours/cell_levels.hpp"
 #include "solver/neighbours/domain_images.hpp"
 #include "solver/neighbours/relative_motion.hpp"
 #include "solver/particles/walls.hpp"
@@ -25,8 +25,10 @@ class NeighbourList {
     /// @param domain  where particles are expected [m]; those outside are still found, only more slowly
     /// @param with_walls_own_lists  also list the fluid around each boundary particle (Shepard pressure)
     /// @param ends    what is beyond the left and the right end of the domain
+    /// @param coarsest  largest smoothing length over the finest, which the spacing and the support are those
+    /// of; 1: all are equal, and nobody's fineness is read
     NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                  bool with_walls_own_lists, DomainEnds ends = DomainEnds::walls);
+                  bool with_walls_own_lists, DomainEnds ends = DomainEnds::walls, double coarsest = 1);
 
     /// Sorts the tank's boundary particles along the grid. Needed once, before the first build.
     void sort_fixed_walls(WallParticles& walls);
@@ -42,7 +44,7 @@ class NeighbourList {
     /// Looks at the particles only when the sum of the longest moves has used up the rest of the skin.
     bool still_complete(double farthest, const FluidParticles& fluid, const WallParticles& walls,
                         int threads);
-    double skin() const { return skin_; }  ///< [m]
+    double skin() const { return reach_.skin; }  ///< [m]
     /// By how much any two particles may still come closer: the skin after a build [m].
     double slack() const { return slack_; }
     /// For a list that was built again as it was at a checkpoint.
@@ -76,20 +78,18 @@ class NeighbourList {
     std::size_t bytes() const;
 
   private:
-    struct Cell {
-        std::uint32_t strip, row;
+    /// Positions and finenesses of the particles of some cells, each so many numbers apart.
+    struct Places {
+        const CellLevels& cells;
+        const double* positions;
+        std::size_t stride;
+        const double* fineness;
+        std::size_t fineness_stride;
     };
-    Cell cell_of(double x, double y) const;
-    std::uint32_t cell_index(Cell cell) const { return cell.strip * grid_.rows + cell.row; }
-    /// What fluid is sorted by: phase, then cell.
-    std::uint32_t sort_key(double x, double y, Phase phase) const {
-        return cell_index(cell_of(x, y)) + static_cast<std::uint32_t>(phase == Phase::air ? cells() : 0);
-    }
-    std::size_t cells() const { return std::size_t{grid_.strips} * grid_.rows; }
+    double fineness_of(const FluidState& p) const { return graded_ ? p.fineness : 1; }
     void sort_fluid(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);
-    void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end,
-                    std::vector<std::uint32_t>& start);
+    void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells);
     void collect_moves(const FluidParticles& fluid, const WallParticles& walls, int threads);
     void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, NearFilter near,
                          int threads);
@@ -97,15 +97,15 @@ class NeighbourList {
     void list_block(const Search& search, std::size_t block);
 
     std::optional<DomainImages> images_;
-    Vec2 origin_;
-    CellGrid grid_;
-    double reach_, skin_, slack_ = 0;
+    CellGrid grid_;  ///< over the domain, of the finest
+    ListReach reach_;
+    double slack_ = 0;
+    bool graded_;
     RelativeMotion motion_;
     bool with_walls_own_lists_;
 
-    std::vector<std::uint32_t> fluid_start_;  ///< first particle of (phase, cell), plus an end mark
-    std::vector<std::uint32_t> image_start_;  ///< the same of the images
-    std::vector<std::uint32_t> fixed_start_, body_start_;  ///< first boundary particle of a cell
+    CellLevels fluid_cells_, image_cells_;  ///< of water, then of air
+    CellLevels fixed_cells_, body_cells_;   ///< of boundary particles
     std::vector<Cluster> clusters_, wall_clusters_;
     std::vector<std::size_t> shares_, air_shares_;
     NeighbourBlocks blocks_;

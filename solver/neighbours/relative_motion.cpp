@@ -28,7 +28,7 @@ bool empty(const Box& box) {
 
 }  // namespace
 
-RelativeMotion::RelativeMotion(const CellGrid& grid, double reach, double skin) {
+RelativeMotion::RelativeMotion(const CellGrid& grid, double reach, double skin) : grid_(grid) {
     const double side = reach + (2 * moves_within_blocks - 1) * skin;
     block_strips_ = static_cast<std::uint32_t>(std::ceil(side / grid.cell_width));
     block_rows_ = static_cast<std::uint32_t>(std::ceil(side / grid.cell_height));
@@ -37,10 +37,6 @@ RelativeMotion::RelativeMotion(const CellGrid& grid, double reach, double skin) 
     spare_ = std::min(block_strips_ * grid.cell_width, block_rows_ * grid.cell_height) - reach;
     at_rest_.assign(std::size_t{columns_} * layers_, nothing());
     moves_ = at_rest_;
-}
-
-void RelativeMotion::keep_at_rest(std::uint32_t strip, std::uint32_t row) {
-    at_rest_[block_of(strip, row)] = {Vec2::Zero(), Vec2::Zero()};
 }
 
 double RelativeMotion::approach(int threads) const {

@@ -17,14 +17,9 @@
 #include <vector>
 
 #include "solver/core/vec2.hpp"
+#include "solver/neighbours/cell_levels.hpp"
 
 namespace wetdeck {
-
-/// The grid of cells that a neighbour list is built with: `rows` cells in each of `strips` strips.
-struct CellGrid {
-    double cell_width = 0, cell_height = 0;  ///< [m]
-    std::uint32_t strips = 0, rows = 0;
-};
 
 /// Moves by blocks of cells. Cells at the rim of the grid stand for all that is beyond it.
 class RelativeMotion {
@@ -39,22 +34,25 @@ class RelativeMotion {
     std::uint32_t layers() const { return layers_; }              ///< blocks one above the other
 
     /// The box around the moves in the block that holds this cell; inverted where nothing has been there.
-    Box& moves(std::uint32_t strip, std::uint32_t row) { return moves_[block_of(strip, row)]; }
+    Box& moves(CellGrid::Cell cell) { return moves_[block_of(cell)]; }
+    /// The same of the block that holds a place.
+    Box& moves(Vec2 place) { return moves(grid_.cell_of(place)); }
 
     /// Forgets all moves, but not what is at rest.
     void clear() { moves_ = at_rest_; }
-    /// What is in this cell stays where it is: the tank's walls.
-    void keep_at_rest(std::uint32_t strip, std::uint32_t row);
+    /// What is here stays where it is: the tank's walls.
+    void keep_at_rest(Vec2 place) { at_rest_[block_of(grid_.cell_of(place))] = {Vec2::Zero(), Vec2::Zero()}; }
 
     /// The most that two particles which were not listed can have come closer [m].
     double approach(int threads) const;
     std::size_t bytes() const { return (moves_.capacity() + at_rest_.capacity()) * sizeof(Box); }
 
   private:
-    std::size_t block_of(std::uint32_t strip, std::uint32_t row) const {
-        return std::size_t{strip / block_strips_} * layers_ + row / block_rows_;
+    std::size_t block_of(CellGrid::Cell cell) const {
+        return std::size_t{cell.strip / block_strips_} * layers_ + cell.row / block_rows_;
     }
 
+    CellGrid grid_;
     std::uint32_t block_strips_, block_rows_, columns_, layers_;
     double spare_;  ///< a block's shorter side less the reach [m]
     std::vector<Box> moves_, at_rest_;

@@ -5,7 +5,7 @@
 
 namespace wetdeck {
 
-void FluidParticles::add(Phase phase, Vec2 position, double particle_mass, double density) {
+void FluidParticles::add(Phase phase, Vec2 position, double particle_mass, double density, double fineness) {
     if (phase == Phase::water) {
         if (water != size()) throw InputError("water particles must be added before air particles");
         ++water;
@@ -15,6 +15,7 @@ void FluidParticles::add(Phase phase, Vec2 position, double particle_mass, doubl
     state.back().y = position.y();
     state.back().density = density;
     state.back().volume = particle_mass / density;
+    state.back().fineness = fineness;
     mass.back() = particle_mass;
     id.back() = static_cast<std::uint32_t>(id.size() - 1);
 }

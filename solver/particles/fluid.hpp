@@ -24,7 +24,10 @@ struct alignas(64) FluidState {
     double pressure = 0;  ///< [Pa], includes the background pressure
     double volume = 0;    ///< mass / density [m^2]
     double density = 0;   ///< [kg/m^3]
-    double impact = 0;    ///< 1 where the dissipation switch is on, else 0
+    union {
+        double impact = 0;  ///< where all spacings are equal: 1 where the dissipation switch is on, else 0
+        double fineness;    ///< where they differ: the finest smoothing length over the particle's own
+    };
 
     /// Position [m].
     Vec2 position() const { return {x, y}; }
@@ -50,7 +53,8 @@ struct FluidParticles {
     Phase phase(std::size_t i) const { return i < water ? Phase::water : Phase::air; }
 
     /// Appends one particle at rest; all water must be added before the first air particle.
-    void add(Phase phase, Vec2 position, double particle_mass, double density);
+    /// @param fineness  where spacings differ, else 0
+    void add(Phase phase, Vec2 position, double particle_mass, double density, double fineness = 0);
 };
 
 /// The declaration of each field of the fluid.

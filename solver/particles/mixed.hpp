@@ -27,6 +27,7 @@ struct alignas(32) MixedState {
     float pressure = 0;   ///< [Pa]
     float volume = 0;     ///< [m^2]
     float density = 1;    ///< [kg/m^3]
+    float fineness = 1;   ///< where spacings differ: the finest smoothing length over its own
 };
 
 /// The unit of positions.
@@ -46,7 +47,8 @@ struct FixedPoint {
                 static_cast<float>(p.vy),
                 static_cast<float>(p.pressure),
                 static_cast<float>(p.volume),
-                static_cast<float>(p.density)};
+                static_cast<float>(p.density),
+                static_cast<float>(p.fineness)};
     }
 
     /// A sum with this number has the digits of one in its mantissa: the lowest is a one.

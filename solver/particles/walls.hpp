@@ -37,10 +37,11 @@ struct BodyPoint {
 };
 
 /// Boundary particles: indices [0, fixed) are the tank's walls, [fixed, size) belong to bodies. All have the
-/// volume particle_spacing^2.
+/// volume (particle_spacing / fineness)^2.
 struct WallParticles {
     std::vector<WallState> state;       ///< what the fluid reads
     std::vector<WallMean> mean;         ///< where the model uses it
+    std::vector<double> fineness;       ///< the finest spacing over its own, 1 where all are equal
     std::vector<double> own_sum;        ///< kernel sum over the walls of the same body, or of the tank
     std::vector<double> force_x;        ///< of the phase last summed on each; bodies only [N/m]
     std::vector<double> force_y;        ///< the same along y [N/m]
@@ -51,7 +52,7 @@ struct WallParticles {
     /// Number of all boundary particles.
     std::size_t size() const { return state.size(); }
     /// Appends a particle of a tank wall; all of them must be added before the first of a body.
-    void add(Vec2 position, Vec2 normal);
+    void add(Vec2 position, Vec2 normal, double fineness = 1);
     /// Appends a particle of a body. Both vectors are in the body's frame, whose origin is the mass centre.
     void add_body_point(std::uint32_t body, Vec2 position, Vec2 normal);
 };
@@ -61,6 +62,7 @@ constexpr auto fields_of(const WallParticles&) {
     using P = WallParticles;
     return std::tuple{Field{"wall", &P::state, Sorted::yes, Stored::yes},
                       Field{"wall_mean", &P::mean, Sorted::yes, Stored::yes},
+                      Field{"wall_fineness", &P::fineness, Sorted::yes, Stored::no},
                       Field{"wall_own_sum", &P::own_sum, Sorted::yes, Stored::no},
                       Field{"wall_id", &P::id, Sorted::yes, Stored::yes},
                       Field{"body_point", &P::body_point, Sorted::yes, Stored::no},

@@ -5,14 +5,14 @@
 
 namespace wetdeck::WETDECK_ISA {
 
-PairPasses choose_pair_passes(const Model& model, Precision precision) {
+PairPasses choose_pair_passes(const Model& model, Precision precision, bool graded) {
     PairPasses passes;
-    passes.wall_means = wall_mean_pass();
-    passes.density_rates = density_pass(model, precision);
-    passes.accelerations = momentum_pass(model, precision);
-    passes.body_forces = body_force_pass(model);
+    passes.wall_means = wall_mean_pass(graded);
+    passes.density_rates = density_pass(model, precision, graded);
+    passes.accelerations = momentum_pass(model, precision, graded);
+    passes.body_forces = body_force_pass(model, graded);
     passes.update_density = update_density;
-    passes.filter_near = filter_near;
+    passes.filter_near = graded ? filter_near<true> : filter_near<false>;
     return passes;
 }
 

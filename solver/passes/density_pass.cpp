@@ -5,6 +5,7 @@
 #include "solver/passes/cluster_loop.hpp"
 #include "solver/passes/isa_passes.hpp"
 #include "solver/passes/simd/mixed_lanes.hpp"
+#include "solver/passes/simd/pair_kernel.hpp"
 #include "solver/physics/density_bounds.hpp"
 #include "solver/physics/riemann.hpp"
 #include "solver/physics/wall_boundary.hpp"
@@ -20,6 +21,7 @@ struct DensityTerms {
     bool mirrored_walls;          ///< walls move along their face with the water
     bool kernel_sum;              ///< the kernel sum is wanted
     bool water;                   ///< of water, which feels a wall once it touches it
+    bool graded;                  ///< particles differ in their spacings
 };
 
 template <class Number>
@@ -37,12 +39,13 @@ WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const typename Precise
                                      typename Precise::Number mobility) {
     using Number = typename Precise::Number;
     const double unit = Precise::unit_of_length(in);
-    const double inverse_h = unit / in.kernel.smoothing_length;
+    const PairKernels<terms.graded, Number> kernels(in, unit, i);
     const double gx = unit * c.hydrostatic_density * in.gravity.x(),
                  gy = unit * c.hydrostatic_density * in.gravity.y();
     DensitySumsOf<Number> sums;
     for (const auto& j : Precise::each(in, neighbours)) {
         const SeparationOf<Number> s = separation(i, j.x, j.y);
+        const auto kernel = kernels.with(j);
         Number jump = i.pressure - j.pressure;
         if constexpr (terms.hydrostatic_correction) jump = jump - (gx * s.x + gy * s.y);
         Number pair_mobility = mobility;
@@ -57,14 +60,13 @@ WETDECK_INLINE DensitySums fluid_sum(const PassInput& in, const typename Precise
             left_less_star =
                 velocity_left_less_star(approach, jump * s.distance, c.weight_right, pair_mobility);
         }
-        sums.rate += j.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * left_less_star;
-        if constexpr (terms.kernel_sum)
-            sums.kernel_sum += j.volume * WendlandC2::shape(s.distance, inverse_h);
+        sums.rate += j.volume * kernel.gradient_shape(s.distance) * left_less_star;
+        if constexpr (terms.kernel_sum) sums.kernel_sum += j.volume * kernel.shape(s.distance);
     }
     return {unit * Precise::total(sums.rate), Precise::total(sums.kernel_sum)};
 }
 
-/// What the sums over boundary particles yield for a cluster, less the volume of each.
+/// What the sums over boundary particles yield for a cluster, less the volume of the finest of them.
 struct WallSums {
     Pack rate = 0.0, kernel_sum = 0.0;
     Pack face_distance = 0.0;  ///< from the face of the nearest boundary particle [spacings]
@@ -75,28 +77,34 @@ struct WallSums {
 /// with the water around it. Water feels walls that it touches.
 template <DensityTerms terms>
 WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
-    const double inverse_h = 1 / in.kernel.smoothing_length;
+    const PairKernels<terms.graded, Pack> kernels(in, 1, i);
     Pack sum = 0.0, stretching = 0.0, kernel_sum = 0.0, room = 0.0, wet = 0.0;
     constexpr double least_room = 1e-12;
     // Signed distance from the layer of the nearest boundary particle: it tells the particle's own face, so
     // that the other face of a thin body, or of an edge, does not count.
-    Pack closest = in.kernel.support_radius(), own_distance = in.kernel.smoothing_length;
+    Pack closest = in.coarsest * in.kernel.support_radius(), own_distance = in.kernel.smoothing_length;
     for (const std::uint32_t index : neighbours) {
         const WallState& w = in.wall[index];
         const Separation s = separation(i, w.x, w.y);
-        const Pack weight = WendlandC2::gradient_shape(s.distance, inverse_h);
+        const auto kernel = kernels.with_wall(in, index);
+        const Pack weight = kernel.wall_volume * kernel.gradient_shape(s.distance);
         if constexpr (terms.water) {
-            const Pack kernel = WendlandC2::shape(s.distance, inverse_h);
-            if constexpr (terms.kernel_sum) kernel_sum += kernel;
-            const Pack open = kernel * (1 - in.wall_own_sum[index]);
+            const Pack share = kernel.wall_volume * kernel.shape(s.distance);
+            if constexpr (terms.kernel_sum) kernel_sum += share;
+            const Pack open = share * (1 - in.wall_own_sum[index]);
             room += open;
             wet += open * in.wall_mean[index].wetness;
         }
         const bool edge = w.nx == 0 && w.ny == 0;
         const Pack signed_distance = edge ? s.distance : s.x * w.nx + s.y * w.ny;
         if constexpr (terms.water) {
-            own_distance = select(s.distance < closest, signed_distance, own_distance);
-            closest = minimum(closest, s.distance);
+            Pack in_spacings = signed_distance, reached = s.distance;
+            if constexpr (terms.graded) {
+                in_spacings = in.wall_fineness[index] * signed_distance;
+                reached = select(weight > 0.0, s.distance, closest);  // within this pair's support
+            }
+            own_distance = select(reached < closest, in_spacings, own_distance);
+            closest = minimum(closest, reached);
         }
         if (edge) {
             sum = sum - weight * ((i.vx - w.vx) * s.x + (i.vy - w.vy) * s.y);
@@ -124,8 +132,9 @@ WallSums wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours) {
 
 /// What the pressure jump of Eq. (17) adds to the sum over boundary particles: less u* along the normal, or
 /// along the line of the pair at an edge, which has none.
+template <bool graded>
 Pack wall_jump_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, double half_slowness) {
-    const double inverse_h = 1 / in.kernel.smoothing_length;
+    const PairKernels<graded, Pack> kernels(in, 1, i);
     Pack sum = 0.0;
     for (const std::uint32_t index : neighbours) {
         const WallState& w = in.wall[index];
@@ -134,7 +143,8 @@ Pack wall_jump_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, d
         const Pack signed_distance = edge ? s.distance : s.x * w.nx + s.y * w.ny;
         const Pack jump =
             wall_jump_velocity(s.x, s.y, w.ax - in.gravity.x(), w.ay - in.gravity.y(), half_slowness);
-        sum = sum - WendlandC2::gradient_shape(s.distance, inverse_h) * signed_distance * jump;
+        const auto kernel = kernels.with_wall(in, index);
+        sum = sum - kernel.wall_volume * kernel.gradient_shape(s.distance) * signed_distance * jump;
     }
     return sum;
 }
@@ -169,7 +179,8 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
         WallSums walls = wall_sum<terms>(in, beside, wall_neighbours(*in.blocks, cluster));
         if (in.model->wall_velocity == WallVelocity::own) walls.rate = 0.5 * walls.rate;
         if (const double half_slowness = in.wall_pair[phase_i].jump_half_slowness; half_slowness > 0)
-            walls.rate += wall_jump_sum(in, beside, wall_neighbours(*in.blocks, cluster), half_slowness);
+            walls.rate +=
+                wall_jump_sum<terms.graded>(in, beside, wall_neighbours(*in.blocks, cluster), half_slowness);
         sums.rate += water_weight * in.wall_volume * walls.rate;
         if constexpr (terms.kernel_sum) sums.kernel_sum = whole_kernel_sum(in, sums.kernel_sum, walls);
     }
@@ -186,11 +197,17 @@ constexpr DensityTerms without_sum = {terms.harmonic_velocity,
                                       terms.hydrostatic_correction,
                                       terms.mirrored_walls,
                                       false,
-                                      true};
+                                      true,
+                                      terms.graded};
 /// The same for the air.
 template <DensityTerms terms>
-constexpr DensityTerms of_air = {
-    terms.harmonic_velocity, terms.harmonic_impedance, terms.hydrostatic_correction, false, false, false};
+constexpr DensityTerms of_air = {terms.harmonic_velocity,
+                                 terms.harmonic_impedance,
+                                 terms.hydrostatic_correction,
+                                 false,
+                                 false,
+                                 false,
+                                 terms.graded};
 
 template <class Precise, DensityTerms terms>
 void density_rates(const PassInput& in) {
@@ -205,20 +222,25 @@ void density_rates(const PassInput& in) {
     });
 }
 
+/// The passes of means that are linear in the values.
+template <class Precise>
+Pass with_linear_means(const Model& model, bool graded) {
+    return with_flags(
+        []<bool is_graded, bool... flags>()->Pass {
+            return density_rates<Precise, DensityTerms{false, false, flags..., true, true, is_graded}>;
+        },
+        graded, model.hydrostatic_correction, model.wall_velocity == WallVelocity::mirrored);
+}
+
 }  // namespace
 
-Pass density_pass(const Model& model, Precision precision) {
+Pass density_pass(const Model& model, Precision precision, bool graded) {
+    if (precision == Precision::mixed) return with_linear_means<InMixed>(model, graded);
+    if (graded) return with_linear_means<InDouble>(model, true);
     const bool mirrored = model.wall_velocity == WallVelocity::mirrored;
-    if (precision == Precision::mixed) {
-        return with_flags(
-            []<bool... flags>()->Pass {
-                return density_rates<InMixed, DensityTerms{false, false, flags..., true, true}>;
-            },
-            model.hydrostatic_correction, mirrored);
-    }
     return with_flags(
         []<bool... flags>()->Pass {
-            return density_rates<InDouble, DensityTerms{flags..., true, true}>;
+            return density_rates<InDouble, DensityTerms{flags..., true, true, false}>;
         },
         model.velocity_mean == Mean::harmonic, model.impedance_mean == ImpedanceMean::harmonic,
         model.hydrostatic_correction, mirrored);

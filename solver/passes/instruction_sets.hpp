@@ -9,13 +9,13 @@ struct PairPasses;
 enum class Precision;
 
 namespace sse2 {
-PairPasses choose_pair_passes(const Model& model, Precision precision);
+PairPasses choose_pair_passes(const Model& model, Precision precision, bool graded);
 }
 namespace avx2 {
-PairPasses choose_pair_passes(const Model& model, Precision precision);
+PairPasses choose_pair_passes(const Model& model, Precision precision, bool graded);
 }
 namespace avx512 {
-PairPasses choose_pair_passes(const Model& model, Precision precision);
+PairPasses choose_pair_passes(const Model& model, Precision precision, bool graded);
 }
 
 }  // namespace wetdeck

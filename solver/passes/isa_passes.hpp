@@ -9,12 +9,14 @@
 
 namespace wetdeck::WETDECK_ISA {
 
-Pass density_pass(const Model& model, Precision precision);
-Pass momentum_pass(const Model& model, Precision precision);
-Pass wall_mean_pass();
-Pass body_force_pass(const Model& model);
+/// `graded` where particles differ in their spacings.
+Pass density_pass(const Model& model, Precision precision, bool graded);
+Pass momentum_pass(const Model& model, Precision precision, bool graded);
+Pass wall_mean_pass(bool graded);
+Pass body_force_pass(const Model& model, bool graded);
 void update_density(FluidState* state, const DensityUpdate& update);
-std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candidates, double reach,
+template <bool graded>
+std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candidates, const ListReach& reach,
                           std::uint32_t* out);
 
 /// Calls f.operator()<flags...>() with run-time flags as template arguments.

@@ -4,6 +4,7 @@
 #include "solver/passes/cluster_loop.hpp"
 #include "solver/passes/isa_passes.hpp"
 #include "solver/passes/simd/mixed_lanes.hpp"
+#include "solver/passes/simd/pair_kernel.hpp"
 #include "solver/passes/wall_pair.hpp"
 #include "solver/physics/dissipation.hpp"
 #include "solver/physics/riemann.hpp"
@@ -18,6 +19,7 @@ struct MomentumTerms {
     bool dissipation;         ///< Riemann dissipation, Eq. (10)
     bool viscosity;           ///< physical viscosity, Eq. (13)
     bool no_slip;             ///< walls drag the fluid along, Eq. (18)
+    bool graded;              ///< particles differ in their spacings
 };
 
 /// The velocity factor of Eq. (14).
@@ -40,9 +42,11 @@ WETDECK_INLINE Number switch_velocity(const PassInput& in, const Left& i, const 
 }
 
 /// P* between the particles of a cluster and one neighbour.
-template <MomentumTerms terms, class Number, class Left, class Right>
+/// @param fineness  of the pair
+template <MomentumTerms terms, class Number, class Left, class Right, class Fineness>
 WETDECK_INLINE Number fluid_p_star(const PassInput& in, const Left& i, const Right& j,
-                                   const SeparationOf<Number>& s, const PairCoefficients& c) {
+                                   const SeparationOf<Number>& s, const Fineness& fineness,
+                                   const PairCoefficients& c) {
     Number p_star;
     if constexpr (terms.harmonic_pressure) {
         p_star = harmonic_mean_of_pressures(i.pressure, Number(j.pressure), in.model->mean_guard,
@@ -54,7 +58,8 @@ WETDECK_INLINE Number fluid_p_star(const PassInput& in, const Left& i, const Rig
     if constexpr (terms.dissipation || terms.viscosity || terms.dissipation_switch) {
         const Number jump = ((j.vx - i.vx) * s.x + (j.vy - i.vy) * s.y) * s.inverse_distance;
         if constexpr (terms.dissipation) p_star += riemann_dissipation(jump, c.limiter);
-        if constexpr (terms.viscosity) p_star += c.viscosity * maximum(jump, c.lowest_viscous_jump);
+        if constexpr (terms.viscosity)
+            p_star += fineness * c.viscosity * maximum(jump, c.lowest_viscous_jump);
         if constexpr (terms.dissipation_switch) {
             const Number on = maximum(i.impact, Number(j.impact));
             p_star += on * c.half_density * switch_velocity(in, i, j, s) * jump;
@@ -68,12 +73,13 @@ VectorSum fluid_sum(const PassInput& in, const typename Precise::Fluid& i, Neigh
                     const PairCoefficients& c) {
     using Number = typename Precise::Number;
     const double unit = Precise::unit_of_length(in);
-    const double inverse_h = unit / in.kernel.smoothing_length;
+    const PairKernels<terms.graded, Number> kernels(in, unit, i);
     VectorSumOf<Number> sum;
     for (const auto& j : Precise::each(in, neighbours)) {
         const SeparationOf<Number> s = separation(i, j.x, j.y);
-        const Number p_star = fluid_p_star<terms>(in, i, j, s, c);
-        const Number weight = j.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
+        const auto kernel = kernels.with(j);
+        const Number p_star = fluid_p_star<terms>(in, i, j, s, kernel.fineness, c);
+        const Number weight = j.volume * kernel.gradient_shape(s.distance) * p_star;
         sum.x += weight * s.x;
         sum.y += weight * s.y;
     }
@@ -82,7 +88,7 @@ VectorSum fluid_sum(const PassInput& in, const typename Precise::Fluid& i, Neigh
 
 template <WallTerms terms>
 VectorSum wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, const WallCoefficients& c) {
-    const double inverse_h = 1 / in.kernel.smoothing_length;
+    const PairKernels<terms.graded, Pack> kernels(in, 1, i);
     VectorSum sum;
     for (const std::uint32_t index : neighbours) {
         const WallState& w = in.wall[index];
@@ -90,8 +96,10 @@ VectorSum wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, c
         const double mean = terms.shepard_pressure ? in.wall_mean[index].pressure : 0;
         const WallSide<double> wall = {w.nx, w.ny, w.ax - in.gravity.x(), w.ay - in.gravity.y(), mean};
         const WallPairGeometry pair = {s.x, s.y, i.vx - w.vx, i.vy - w.vy, s.inverse_distance};
-        const Pack p_star = wall_p_star<terms>(in, FluidSide<Pack>{i.pressure, i.density}, wall, pair, c);
-        const Pack weight = WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
+        const auto kernel = kernels.with_wall(in, index);
+        const Pack p_star =
+            wall_p_star<terms>(in, FluidSide<Pack>{i.pressure, i.density}, wall, pair, kernel.fineness, c);
+        const Pack weight = kernel.wall_volume * kernel.gradient_shape(s.distance) * p_star;
         sum.x += weight * s.x;
         sum.y += weight * s.y;
     }
@@ -99,11 +107,11 @@ VectorSum wall_sum(const PassInput& in, const Lanes& i, Neighbours neighbours, c
 }
 
 /// The sum over walls that a phase takes.
-template <bool no_slip>
+template <bool no_slip, bool graded>
 auto choose_wall_sum(const PassInput& in, std::size_t phase) {
     return with_flags(
         []<bool shepard, bool harmonic>() {
-            return &wall_sum<WallTerms{no_slip, shepard, harmonic}>;
+            return &wall_sum<WallTerms{no_slip, shepard, harmonic, graded}>;
         },
         in.wall_pressure_mean[phase], in.model->wall_pair_mean == WallPairMean::harmonic);
 }
@@ -128,7 +136,7 @@ void accelerations(const PassInput& in) {
             sum.y += weight * fluid.y;
         }
         if (cluster.wall_neighbours > 0 && water_weight > 0) {
-            const VectorSum walls = choose_wall_sum<terms.no_slip>(in, phase_i)(
+            const VectorSum walls = choose_wall_sum<terms.no_slip, terms.graded>(in, phase_i)(
                 in, Precise::beside_walls(in, cluster, i), wall_neighbours(*in.blocks, cluster),
                 in.wall_pair[phase_i]);
             sum.x += water_weight * in.wall_volume * walls.x;
@@ -140,20 +148,28 @@ void accelerations(const PassInput& in) {
     });
 }
 
+/// The passes of means that are linear in the values.
+template <class Precise>
+Pass with_linear_means(const Model& model, bool graded) {
+    return with_flags(
+        []<bool is_graded, bool... flags>()->Pass {
+            return accelerations<Precise, MomentumTerms{false, false, flags..., is_graded}>;
+        },
+        graded, model.dissipation != Dissipation::none, model.viscosity != Viscosity::none,
+        model.wall_slip == WallSlip::no);
+}
+
 }  // namespace
 
-Pass momentum_pass(const Model& model, Precision precision) {
+Pass momentum_pass(const Model& model, Precision precision, bool graded) {
+    if (precision == Precision::mixed) return with_linear_means<InMixed>(model, graded);
+    if (graded) return with_linear_means<InDouble>(model, true);
     const bool dissipation = model.dissipation != Dissipation::none;
     const bool viscosity = model.viscosity != Viscosity::none, no_slip = model.wall_slip == WallSlip::no;
-    if (precision == Precision::mixed) {
-        return with_flags(
-            []<bool... flags>()->Pass {
-                return accelerations<InMixed, MomentumTerms{false, false, flags...}>;
-            },
-            dissipation, viscosity, no_slip);
-    }
     return with_flags(
-        []<bool... flags>()->Pass { return accelerations<InDouble, MomentumTerms{flags...}>; },
+        []<bool... flags>()->Pass {
+            return accelerations<InDouble, MomentumTerms{flags..., false}>;
+        },
         model.pressure_mean == Mean::harmonic, model.dissipation_switch, dissipation, viscosity, no_slip);
 }
 

@@ -7,14 +7,17 @@
 
 namespace wetdeck {
 
-PairPasses pair_passes(const Model& model, const std::string& instruction_set, Precision precision) {
-    if (const std::string choice = without_mixed_pairs(model);
-        precision == Precision::mixed && !choice.empty())
-        throw InputError("there are no passes in mixed precision for " + choice);
+PairPasses pair_passes(const Model& model, const std::string& instruction_set, Precision precision,
+                       bool graded) {
+    if (const std::string choice = without_mixed_pairs(model); !choice.empty()) {
+        if (precision == Precision::mixed)
+            throw InputError("there are no passes in mixed precision for " + choice);
+        if (graded) throw InputError("there are no passes over differing spacings for " + choice);
+    }
     struct Choice {
         const char* name;
         bool supported;
-        PairPasses (*choose)(const Model&, Precision);
+        PairPasses (*choose)(const Model&, Precision, bool graded);
     };
 #if defined(__x86_64__) && !defined(WETDECK_PLAIN_SIMD)
     const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -30,7 +33,7 @@ PairPasses pair_passes(const Model& model, const std::string& instruction_set, P
         if (instruction_set.empty() ? !choice.supported : instruction_set != choice.name) continue;
         if (!choice.supported)
             throw InputError(std::string("this processor does not support ") + choice.name);
-        PairPasses passes = choice.choose(model, precision);
+        PairPasses passes = choice.choose(model, precision, graded);
         passes.instruction_set = choice.name;
         return passes;
     }

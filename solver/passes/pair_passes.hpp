@@ -21,7 +21,8 @@ struct DensityUpdate {
     const double* mass = nullptr;  ///< [kg/m]
     MixedFluid* mixed = nullptr;   ///< is kept up where there is one
     std::size_t first = 0, last = 0;
-    double dt = 0;  ///< [s]
+    double dt = 0;        ///< [s]
+    bool graded = false;  ///< particles differ in their spacings
     TaitEquationOfState eos;
     DensityBounds bounds;
     int threads = 1;
@@ -41,8 +42,9 @@ struct PairPasses {
 };
 
 /// The passes for an instruction set ("sse2", "avx2", "avx512"; empty: the best of this processor). Throws
-/// InputError if it is unknown or not supported here, or if the model has no passes in mixed precision.
+/// InputError if it is unknown or not supported here, or if the model has no passes in mixed precision or for
+/// particles that differ in their spacings.
 PairPasses pair_passes(const Model& model, const std::string& instruction_set = "",
-                       Precision precision = Precision::double_precision);
+                       Precision precision = Precision::double_precision, bool graded = false);
 
 }  // namespace wetdeck

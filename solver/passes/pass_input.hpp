@@ -18,7 +18,8 @@ struct PassInput {
     WendlandC2 kernel;
     Vec2 gravity = Vec2::Zero();  ///< [m/s^2]
     double particle_spacing = 0;  ///< [m]
-    double wall_volume = 0;       ///< of each boundary particle [m^2]
+    double wall_volume = 0;       ///< of each boundary particle of the finest spacing [m^2]
+    double coarsest = 1;          ///< largest spacing over the finest; 1: all are equal
     bool wetting = false;         ///< dry walls do not compress the water
     std::array<double, phase_count> reference_density{};
     std::array<std::array<PairCoefficients, phase_count>, phase_count> pair;
@@ -34,6 +35,7 @@ struct PassInput {
     const WallState* wall = nullptr;
     const WallMean* wall_mean = nullptr;
     const double* wall_own_sum = nullptr;
+    const double* wall_fineness = nullptr;    ///< read where spacings differ
     const NeighbourBlocks* blocks = nullptr;  ///< neighbours of all clusters
     const std::vector<Cluster>* clusters = nullptr;
     const std::vector<std::size_t>* shares = nullptr;  ///< of the clusters, one a thread (equal_shares)

@@ -28,6 +28,7 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
     in.gravity = model.gravity;
     in.particle_spacing = setup.particle_spacing;
     in.wall_volume = setup.particle_spacing * setup.particle_spacing;
+    in.coarsest = setup.coarsest;
     in.wetting = model.wall_wetting;
     in.smallest_velocity = 1e-12 * model.water.eos.sound_speed;
     in.smallest_pressure = 1e-12 * model.water.eos.coefficient();
@@ -41,21 +42,23 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
 
 NeighbourList list_for(const RatesSetup& setup, double skin, bool with_wall_lists) {
     const double support = 2 * setup.model.smoothing_ratio * setup.particle_spacing;
-    return {setup.domain, setup.particle_spacing, support, skin, with_wall_lists, setup.model.ends()};
+    return {setup.domain,    setup.particle_spacing, support,       skin,
+            with_wall_lists, setup.model.ends(),     setup.coarsest};
 }
 
 }  // namespace
 
 Rates::Rates(const RatesSetup& setup, Flow& flow)
     : setup_(setup),
-      passes_(pair_passes(setup.model, setup.execution.instruction_set, setup.execution.precision)),
+      passes_(pair_passes(setup.model, setup.execution.instruction_set, setup.execution.precision,
+                          setup.graded())),
       constants_(constants_of(setup, flow.walls.fixed)),
       list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
                      needs_wall_means(setup.model) || !flow.bodies.empty())),
       listed_bodies_(flow.bodies) {
     list_.sort_fixed_walls(flow.walls);
     if (setup.execution.precision == Precision::mixed)
-        mixed_.emplace(setup.domain, constants_.kernel.support_radius());
+        mixed_.emplace(setup.domain, setup.coarsest * constants_.kernel.support_radius());
 }
 
 /// Sets what passes read of this flow.
@@ -66,6 +69,7 @@ void Rates::set_state(PassInput& in, const Flow& flow, const NeighbourList& list
     in.wall = flow.walls.state.data();
     in.wall_mean = flow.walls.mean.data();
     in.wall_own_sum = flow.walls.own_sum.data();
+    in.wall_fineness = flow.walls.fineness.data();
     in.blocks = &list.blocks();
     in.clusters = &list.clusters();
     in.shares = &list.shares();
@@ -259,6 +263,7 @@ DensityUpdate Rates::density_update(Flow& flow, Phase phase, double dt, double s
     update.first = water ? 0 : flow.fluid.water;
     update.last = water ? flow.fluid.water : flow.fluid.size();
     update.dt = dt;
+    update.graded = setup_.graded();
     update.eos = water ? model.water.eos : model.air.eos;
     update.threads = setup_.execution.threads;
     DensityBounds& bounds = update.bounds;

@@ -23,6 +23,10 @@ struct RatesSetup {
     Execution execution;          ///< with threads resolved
     double particle_spacing = 0;  ///< [m]
     Box domain;                   ///< interior of the tank [m]
+    double coarsest = 1;          ///< largest spacing over particle_spacing, the finest
+
+    /// Whether particles differ in their spacings.
+    bool graded() const { return coarsest > 1; }
 };
 
 /// Evaluates rates. It owns the list of neighbours and no part of the flow.

@@ -22,7 +22,7 @@ WETDECK_INLINE void copy_row(const FluidState& from, const FixedPoint& fixed_poi
     std::memcpy(static_cast<void*>(&to), &all, sizeof all);
 }
 
-template <class Power>
+template <bool graded, class Power>
 void update_with(FluidState* state, const DensityUpdate& u, Power power) {
     MixedState* const copies = u.mixed ? u.mixed->data() : nullptr;
     const FixedPoint fixed_point = u.mixed ? u.mixed->fixed_point() : FixedPoint{};
@@ -35,9 +35,13 @@ void update_with(FluidState* state, const DensityUpdate& u, Power power) {
         Pack p[pack_width];
         load_columns(state, eight, p);
         Pack &x = p[0], &y = p[1], &pressure = p[4], &volume = p[5], &density = p[6];
-        const Pack vx = p[2], vy = p[3];
+        const Pack vx = p[2], vy = p[3], fineness = p[7];
         const Pack kernel_sum = u.bounds.kernel_sum ? load(u.bounds.kernel_sum, eight) : Pack(1.0);
-        density = u.bounds.limit(density + u.dt * load(u.rate, eight), kernel_sum, u.eos.reference_density);
+        Pack open = u.bounds.open;  // of the finest spacing
+        if constexpr (graded)
+            open = u.eos.reference_density + (u.bounds.open - u.eos.reference_density) / fineness;
+        density =
+            u.bounds.limit(density + u.dt * load(u.rate, eight), kernel_sum, open, u.eos.reference_density);
         const Pack ratio = density * (1 / u.eos.reference_density);
         pressure = u.eos.coefficient() * (power(ratio) - 1.0) + u.eos.background_pressure;
         volume = load(u.mass, eight) / density;
@@ -53,35 +57,53 @@ void update_with(FluidState* state, const DensityUpdate& u, Power power) {
 }  // namespace
 
 void update_density(FluidState* state, const DensityUpdate& update) {
+    const auto with = [&](auto power) {
+        update.graded ? update_with<true>(state, update, power) : update_with<false>(state, update, power);
+    };
     if (update.eos.exponent == 7) {
-        update_with(state, update, [](Pack x) { return power_seven(x); });
+        with([](Pack x) { return power_seven(x); });
     } else if (update.eos.exponent == 1.4) {
-        update_with(state, update, [](Pack x) { return power_seven_fifths(x); });
+        with([](Pack x) { return power_seven_fifths(x); });
     } else {
-        update_with(state, update, [exponent = update.eos.exponent](Pack x) {
+        with([exponent = update.eos.exponent](Pack x) {
             for (int lane = 0; lane < pack_width; ++lane) x.lanes[lane] = std::pow(x.lanes[lane], exponent);
             return x;
         });
     }
 }
 
-std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candidates, double reach,
+template <bool graded>
+std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candidates, const ListReach& reach,
                           std::uint32_t* out) {
     Pack px, py;
     std::memcpy(&px.lanes, points.x, sizeof px.lanes);
     std::memcpy(&py.lanes, points.y, sizeof py.lanes);
-    const Pack reach2 = reach * reach;
+    Pack half_fineness;
+    std::memcpy(&half_fineness.lanes, points.half_fineness, sizeof half_fineness.lanes);
+    Pack farthest = reach.of(1.0);
+    const ListReach limits = reach;
     const double* position = candidates.positions + candidates.begin * candidates.stride;
-    const std::size_t stride = candidates.stride;  // a local: `out` might write to the candidates' numbers
+    const double* fineness = candidates.fineness + candidates.begin * candidates.fineness_stride;
+    // locals: `out` might write to the numbers of the candidates
+    const std::size_t stride = candidates.stride, fineness_stride = candidates.fineness_stride;
     const std::uint32_t end = candidates.end;
     std::uint32_t found = 0;
     for (std::uint32_t candidate = candidates.begin; candidate < end; ++candidate, position += stride) {
         const Pack x = px - position[0];
         const Pack y = py - position[1];
+        if constexpr (graded) {
+            farthest = limits.of(half_fineness + 0.5 * *fineness);
+            fineness += fineness_stride;
+        }
         out[found] = candidate;
-        found += any_less(x * x + y * y, reach2) ? 1 : 0;
+        found += any_less(x * x + y * y, farthest * farthest) ? 1 : 0;
     }
     return found;
 }
+
+template std::uint32_t filter_near<false>(const ClusterPoints&, const Candidates&, const ListReach&,
+                                          std::uint32_t*);
+template std::uint32_t filter_near<true>(const ClusterPoints&, const Candidates&, const ListReach&,
+                                         std::uint32_t*);
 
 }  // namespace wetdeck::WETDECK_ISA

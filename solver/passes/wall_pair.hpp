@@ -14,6 +14,7 @@ struct WallTerms {
     bool no_slip;            ///< the wall drags the fluid along
     bool shepard_pressure;   ///< the wall has the mean pressure of the fluid around it
     bool harmonic_pressure;  ///< the pressure mean is harmonic
+    bool graded;             ///< particles differ in their spacings
 };
 
 /// The fluid particle of a pair. Either side may be the pack.
@@ -35,10 +36,11 @@ struct WallPairGeometry {
 
 /// P* of a pair. Fluid behind the face takes the one-sided pressure: the mean there belongs to the other side
 /// of a thin body. An edge, which has no normal, has no dissipation: water parts there and does not stop.
-template <WallTerms terms, class Fluid, class Wall>
+/// @param fineness  of the pair
+template <WallTerms terms, class Fluid, class Wall, class Fineness>
 WETDECK_INLINE Pack wall_p_star(const PassInput& in, const FluidSide<Fluid>& fluid,
                                 const WallSide<Wall>& wall, const WallPairGeometry& pair,
-                                const WallCoefficients& c) {
+                                const Fineness& fineness, const WallCoefficients& c) {
     const Pack signed_distance = pair.x * wall.nx + pair.y * wall.ny;
     const Pack one_sided = one_sided_pressure(Pack(fluid.pressure), Pack(fluid.density), pair.x, pair.y,
                                               wall.relative_x, wall.relative_y);
@@ -57,7 +59,7 @@ WETDECK_INLINE Pack wall_p_star(const PassInput& in, const FluidSide<Fluid>& flu
     }
     if constexpr (terms.no_slip) {
         const Pack approach = -(pair.vx * pair.x + pair.vy * pair.y) * pair.inverse_distance;
-        p_star += c.viscosity * maximum(2.0 * approach, c.lowest_viscous_jump);
+        p_star += fineness * c.viscosity * maximum(2.0 * approach, c.lowest_viscous_jump);
     }
     return p_star;
 }

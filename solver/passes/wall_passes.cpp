@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The passes over boundary particles: means of the fluid around them and forces on bodies.
 #include "solver/passes/isa_passes.hpp"
+#include "solver/passes/simd/pair_kernel.hpp"
 #include "solver/passes/wall_pair.hpp"
 #include "solver/physics/wetting.hpp"
 
@@ -10,13 +11,14 @@ namespace {
 /// Yang et al. (2020), Eq. (19): P_w = SUM_f [ P_f + rho_f (a_w - g) . (r_f - r_w) ] W_wf / SUM_f W_wf, the
 /// mean velocity likewise, and the wetness. Only the fluid in front of a particle's face counts: fluid
 /// behind a thin body belongs to its other face.
+template <bool graded>
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
-    const double inverse_h = 1 / in.kernel.smoothing_length;
 #pragma omp parallel for schedule(static) num_threads(in.threads)
     for (std::int64_t n = 0; n < cluster_count; ++n) {
         const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
         const WallLanes w = load(in, cluster);
+        const PairKernels<graded, Pack> kernels(in, 1, w);
         Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0, kernel_sum = 0.0;
         const std::uint32_t count =
             cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
@@ -25,10 +27,11 @@ void wall_means(const PassInput& in) {
             const FluidState& f = in.fluid[neighbours[k]];
             const Separation s = separation(w, f.x, f.y);
             const Pack behind = s.x * w.nx + s.y * w.ny;
-            const Pack weight = select(behind > 0.0, 0.0, WendlandC2::shape(s.distance, inverse_h));
+            Pack weight = select(behind > 0.0, 0.0, kernels.with(f).shape(s.distance));
+            kernel_sum += f.volume * weight;
+            if constexpr (graded) weight = f.volume * weight;
             pressure_sum += weight * (f.pressure - f.density * (w.relative_x * s.x + w.relative_y * s.y));
             weight_sum += weight;
-            kernel_sum += f.volume * weight;
             vx_sum += weight * f.vx;
             vy_sum += weight * f.vy;
         }
@@ -49,31 +52,33 @@ void wall_means(const PassInput& in) {
 template <WallTerms terms>
 void add_reactions(const PassInput& in, const WallLanes& w, Pack mean, Neighbours neighbours,
                    const WallCoefficients& c, VectorSum& sum) {
-    const double inverse_h = 1 / in.kernel.smoothing_length;
+    const PairKernels<terms.graded, Pack> kernels(in, 1, w);
     const WallSide<Pack> wall = {w.nx, w.ny, w.relative_x, w.relative_y, mean};
     for (const std::uint32_t index : neighbours) {
         const FluidState& f = in.fluid[index];
         const Separation s = separation(w, f.x, f.y);
         const WallPairGeometry pair = {-s.x, -s.y, f.vx - w.vx, f.vy - w.vy, s.inverse_distance};
-        const Pack p_star = wall_p_star<terms>(in, FluidSide<double>{f.pressure, f.density}, wall, pair, c);
-        const Pack weight = f.volume * WendlandC2::gradient_shape(s.distance, inverse_h) * p_star;
+        const auto kernel = kernels.with(f);
+        const Pack p_star =
+            wall_p_star<terms>(in, FluidSide<double>{f.pressure, f.density}, wall, pair, kernel.fineness, c);
+        const Pack weight = f.volume * kernel.gradient_shape(s.distance) * p_star;
         sum.x += weight * s.x;
         sum.y += weight * s.y;
     }
 }
 
 /// The reactions to the pairs of a phase.
-template <bool no_slip>
+template <bool no_slip, bool graded>
 auto choose_reactions(const PassInput& in, std::size_t phase) {
     return with_flags(
         []<bool shepard, bool harmonic>() {
-            return &add_reactions<WallTerms{no_slip, shepard, harmonic}>;
+            return &add_reactions<WallTerms{no_slip, shepard, harmonic, graded}>;
         },
         in.wall_pressure_mean[phase], in.model->wall_pair_mean == WallPairMean::harmonic);
 }
 
 /// Force of the fluid on each boundary particle of a body, Eq. (20): minus the forces of its pairs.
-template <bool no_slip>
+template <bool no_slip, bool graded>
 void body_forces(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
     const double factor = 2 * in.kernel.slope_factor() * in.wall_volume;
@@ -89,22 +94,25 @@ void body_forces(const PassInput& in) {
         VectorSum sum;
         for (std::size_t phase = 0; phase < phase_count; ++phase) {
             if (!in.loading[phase]) continue;
-            choose_reactions<no_slip>(in, phase)(in, w, mean, fluid_neighbours(*in.blocks, cluster, phase),
-                                                 in.wall_pair[phase], sum);
+            choose_reactions<no_slip, graded>(in, phase)(
+                in, w, mean, fluid_neighbours(*in.blocks, cluster, phase), in.wall_pair[phase], sum);
         }
-        store(factor * sum.x, in.wall_force_x, cluster);
-        store(factor * sum.y, in.wall_force_y, cluster);
+        Pack volume = factor;
+        if constexpr (graded) volume = factor / (w.fineness * w.fineness);
+        store(volume * sum.x, in.wall_force_x, cluster);
+        store(volume * sum.y, in.wall_force_y, cluster);
     }
 }
 
 }  // namespace
 
-Pass wall_mean_pass() {
-    return wall_means;
+Pass wall_mean_pass(bool graded) {
+    return graded ? wall_means<true> : wall_means<false>;
 }
 
-Pass body_force_pass(const Model& model) {
-    return model.wall_slip == WallSlip::no ? body_forces<true> : body_forces<false>;
+Pass body_force_pass(const Model& model, bool graded) {
+    return with_flags(
+        []<bool... flags>()->Pass { return body_forces<flags...>; }, model.wall_slip == WallSlip::no, graded);
 }
 
 }  // namespace wetdeck::WETDECK_ISA

@@ -40,15 +40,16 @@ inline constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 10;
 struct DensityBounds {
     double lowest = 0;                   ///< [kg/m^3]
     const double* kernel_sum = nullptr;  ///< S of each particle; none for no upper bound
-    double open = 0;                     ///< highest where the support is not full [kg/m^3]
+    double open = 0;                     ///< highest where the support is not full, finest spacing [kg/m^3]
     double full_kernel_sum = 1;          ///< S of a full support
 
-    /// `density` within the bounds; `sum`, the particle's S, counts only where there is an upper bound.
+    /// `density` within the bounds; `sum`, the particle's S, and `its_open`, the highest of its spacing,
+    /// count only where there is an upper bound.
     template <class Real>
-    Real limit(Real density, Real sum, double reference_density) const {
+    Real limit(Real density, Real sum, Real its_open, double reference_density) const {
         if (!kernel_sum) return maximum(density, Real(lowest));
         const Real highest =
-            maximum(Real(open), reference_density * (1.0 + kernel_sum_steepness * (sum - full_kernel_sum)));
+            maximum(its_open, reference_density * (1.0 + kernel_sum_steepness * (sum - full_kernel_sum)));
         const Real pushed_back =
             reference_density * (1.0 + compression_per_depth * (sum - touching_kernel_sum));
         return maximum(minimum(density, highest), maximum(pushed_back, Real(lowest)));

@@ -78,10 +78,14 @@ class Groups {
 }  // namespace
 
 double void_area(const Simulation& simulation, std::span<const Outline> outlines) {
-    const double dx = simulation.particle_spacing(), size = 0.25 * dx;
+    const double size = 0.25 * simulation.particle_spacing();
     Cells cells(simulation.domain(), size);
-    for (const FluidState& p : simulation.fluid().state) cells.mark_around(p.x, p.y, dx);
-    for (const auto& wall : simulation.walls().state) cells.mark_around(wall.x, wall.y, dx);
+    for (const FluidState& p : simulation.fluid().state)
+        cells.mark_around(p.x, p.y, simulation.spacing_of(p));
+    const WallParticles& walls = simulation.walls();
+    for (std::size_t n = 0; n < walls.size(); ++n)
+        cells.mark_around(walls.state[n].x, walls.state[n].y,
+                          simulation.particle_spacing() / walls.fineness[n]);
     double area = 0;
     cells.for_each_unmarked([&](Vec2 centre) {
         if (!in_a_body(simulation, outlines, centre)) area += size * size;
@@ -93,8 +97,8 @@ MixedParticles mixed_particles(const Simulation& simulation) {
     const NeighbourList& list = simulation.neighbours();
     const FluidParticles& fluid = simulation.fluid();
     const FluidState* listed = list.listed(fluid);
-    const double reach = 2 * simulation.particle_spacing();
     const auto near = [&](const FluidState& p, Neighbours neighbours) {
+        const double reach = 2 * simulation.spacing_of(p);
         return std::count_if(neighbours.begin(), neighbours.end(), [&](std::uint32_t j) {
             return (listed[j].position() - p.position()).squaredNorm() < reach * reach;
         });
@@ -119,7 +123,6 @@ double enclosed_air(const Simulation& simulation) {
     const NeighbourList& list = simulation.neighbours();
     const FluidParticles& fluid = simulation.fluid();
     constexpr auto air = static_cast<std::size_t>(Phase::air);
-    const double reach = 1.5 * simulation.particle_spacing();
     Groups groups(fluid.size());
     for (const Cluster& cluster : list.clusters()) {
         if (cluster.phase != Phase::air) continue;
@@ -127,6 +130,8 @@ double enclosed_air(const Simulation& simulation) {
             if (j >= fluid.size()) continue;  // a periodic image
             for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
                 const Vec2 apart = fluid.state[i].position() - fluid.state[j].position();
+                const double reach = 1.5 * std::max(simulation.spacing_of(fluid.state[i]),
+                                                    simulation.spacing_of(fluid.state[j]));
                 if (apart.squaredNorm() < reach * reach) groups.join(i, j);
             }
         }

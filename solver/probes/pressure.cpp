@@ -18,12 +18,18 @@ namespace {
 struct NearFluid {
     Vec2 position;
     double volume, pressure, reference_density;
+    double spacing;  ///< that it was laid at [m]
+};
+
+struct NearWall {
+    Vec2 position;
+    double spacing;  ///< [m]
 };
 
 /// What is near the points, as far as the kernel reaches.
 struct Surroundings {
     std::vector<NearFluid> fluid;
-    std::vector<Vec2> walls;  ///< positions of boundary particles
+    std::vector<NearWall> walls;
 };
 
 /// A particle as a point of a face sees it; lengths in h.
@@ -52,23 +58,39 @@ Surroundings surroundings(const Simulation& simulation, const Box& box) {
         if (!inside(at.x(), at.y())) return;
         const FluidState& p = fluid.state[i];
         const TaitEquationOfState& law = (i < fluid.water ? model.water : model.air).eos;
-        near.fluid.push_back(
-            {at, p.volume, p.pressure - model.water.eos.background_pressure, law.reference_density});
+        near.fluid.push_back({at, p.volume, p.pressure - model.water.eos.background_pressure,
+                              law.reference_density, simulation.spacing_of(p)});
     });
-    for (const WallState& wall : simulation.walls().state)
-        if (inside(wall.x, wall.y)) near.walls.emplace_back(wall.x, wall.y);
+    const WallParticles& walls = simulation.walls();
+    for (std::size_t n = 0; n < walls.size(); ++n) {
+        const WallState& wall = walls.state[n];
+        if (inside(wall.x, wall.y))
+            near.walls.push_back({{wall.x, wall.y}, simulation.particle_spacing() / walls.fineness[n]});
+    }
     return near;
 }
 
+/// The kernel of the particles at a point: that of the nearest.
+WendlandC2 kernel_at(Vec2 place, const Surroundings& near, const Simulation& simulation) {
+    WendlandC2 kernel = simulation.kernel();
+    if (!simulation.graded() || near.fluid.empty()) return kernel;
+    const auto nearest = std::min_element(
+        near.fluid.begin(), near.fluid.end(), [place](const NearFluid& a, const NearFluid& b) {
+            return (a.position - place).squaredNorm() < (b.position - place).squaredNorm();
+        });
+    kernel.smoothing_length *= nearest->spacing / simulation.particle_spacing();
+    return kernel;
+}
+
 /// The fluid in front of the face. Particles that are pressed into it by up to half a spacing count.
-std::vector<Seen> seen_from(const FacePoint& point, const Surroundings& near, const Simulation& simulation) {
-    const WendlandC2 kernel = simulation.kernel();
+std::vector<Seen> seen_from(const FacePoint& point, const Surroundings& near, const WendlandC2& kernel,
+                            const Simulation& simulation) {
     const Vec2 pull = simulation.model().gravity - point.acceleration.dot(point.normal) * point.normal;
     std::vector<Seen> seen;
     for (const NearFluid& p : near.fluid) {
         const Vec2 from_point = p.position - point.place;
         const double weight = p.volume * kernel.value(from_point.norm());
-        if (weight == 0 || from_point.dot(point.normal) < -0.5 * simulation.particle_spacing()) continue;
+        if (weight == 0 || from_point.dot(point.normal) < -0.5 * p.spacing) continue;
         seen.push_back({weight, from_point / kernel.smoothing_length, p.pressure,
                         p.pressure - p.reference_density * pull.dot(from_point)});
     }
@@ -76,11 +98,10 @@ std::vector<Seen> seen_from(const FacePoint& point, const Surroundings& near, co
 }
 
 /// S: at most that of a straight face, so that a face without boundary particles is read, too.
-double open_share(Vec2 place, const Surroundings& near, const Simulation& simulation) {
-    const WendlandC2 kernel = simulation.kernel();
-    const double volume = simulation.particle_spacing() * simulation.particle_spacing();
+double open_share(Vec2 place, const Surroundings& near, const WendlandC2& kernel) {
     double covered = 0;
-    for (const Vec2& wall : near.walls) covered += volume * kernel.value((wall - place).norm());
+    for (const NearWall& wall : near.walls)
+        covered += wall.spacing * wall.spacing * kernel.value((wall.position - place).norm());
     return std::clamp(1 - covered, 0.125, 0.5);
 }
 
@@ -130,13 +151,14 @@ double pressure_at(const std::vector<Seen>& seen, double open) {
 std::vector<double> face_pressures(const Simulation& simulation, std::span<const FacePoint> points) {
     std::vector<double> pressure;
     if (points.empty()) return pressure;
-    const Surroundings near =
-        surroundings(simulation, neighbourhood(points, simulation.kernel().support_radius()));
+    const Surroundings near = surroundings(
+        simulation, neighbourhood(points, simulation.coarsest() * simulation.kernel().support_radius()));
     const bool bears_tension =
         simulation.model().negative_pressure || simulation.fluid().water < simulation.fluid().size();
     for (const FacePoint& point : points) {
+        const WendlandC2 kernel = kernel_at(point.place, near, simulation);
         const double p =
-            pressure_at(seen_from(point, near, simulation), open_share(point.place, near, simulation));
+            pressure_at(seen_from(point, near, kernel, simulation), open_share(point.place, near, kernel));
         pressure.push_back(bears_tension ? p : std::max(0.0, p));
     }
     return pressure;

@@ -314,7 +314,7 @@ void clear_fluid(FluidParticles& fluid, const Outline& outline, double particle_
                      bg::distance(place, polygon.outer()) < clearance * particle_spacing)) {
             continue;
         }
-        kept.add(fluid.phase(i), p.position(), fluid.mass[i], p.density);
+        kept.add(fluid.phase(i), p.position(), fluid.mass[i], p.density, p.fineness);
     }
     fluid = std::move(kept);
 }

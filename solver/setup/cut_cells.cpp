@@ -100,10 +100,11 @@ void cut_cells(FluidParticles& fluid, const std::vector<Outline>& outlines, doub
         const auto found = cells.find(i);
         const bool is_cut = found != cells.end() && found->second.centroid != fluid.state[i].position();
         if (!is_cut)
-            left.add(fluid.phase(i), fluid.state[i].position(), fluid.mass[i], density);
+            left.add(fluid.phase(i), fluid.state[i].position(), fluid.mass[i], density,
+                     fluid.state[i].fineness);
         else if (found->second.share >= kept)
             left.add(fluid.phase(i), clear_of(outlines, found->second.centroid, particle_spacing),
-                     density * found->second.area, density);
+                     density * found->second.area, density, fluid.state[i].fineness);
     }
     fluid = std::move(left);
 }

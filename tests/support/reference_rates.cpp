@@ -148,6 +148,18 @@ double kernel_slope(const WendlandC2& kernel, double distance) {
     return kernel.slope_over_distance(distance) * distance;
 }
 
+/// Smoothing lengths: one for all, or that of each particle.
+struct Lengths {
+    double finest;           ///< spacing [m]
+    double smoothing_ratio;  ///< smoothing length over spacing
+    bool graded;
+
+    double of(const FluidState& p) const { return smoothing_ratio * finest / (graded ? p.fineness : 1); }
+    double of_wall(double fineness) const { return smoothing_ratio * finest / fineness; }
+    /// Of a pair of particles with these smoothing lengths: their harmonic mean.
+    static WendlandC2 kernel(double a, double b) { return {2 * a * b / (a + b)}; }
+};
+
 Vec2 place(const WallState& wall) {
     return {wall.x, wall.y};
 }
@@ -159,8 +171,8 @@ Vec2 tangent(const WallState& wall) {
 }
 
 /// Eq. (19): the mean of what each fluid particle near sees behind the face, Eq. (17), and of its velocity.
-WallMean shepard_mean(const WallState& wall, double own_sum, double wetness, const FluidParticles& fluid,
-                      const Model& model, const WendlandC2& kernel) {
+WallMean shepard_mean(const WallState& wall, double own_length, double own_sum, double wetness,
+                      const FluidParticles& fluid, const Model& model, const Lengths& lengths) {
     const Vec2 drive = Vec2(wall.ax, wall.ay) - model.gravity;
     double pressure = 0, weights = 0, kernel_sum = 0;
     Vec2 velocity = Vec2::Zero();
@@ -169,11 +181,12 @@ WallMean shepard_mean(const WallState& wall, double own_sum, double wetness, con
         const FluidState& p = fluid.state[f];
         const Vec2 offset = p.position() - place(wall);
         if (offset.dot(normal(wall)) < 0) continue;  // belongs to the other side of a thin body
-        const double w = kernel.value(offset.norm());
+        const double kernel = Lengths::kernel(own_length, lengths.of(p)).value(offset.norm());
+        const double w = lengths.graded ? kernel * p.volume : kernel;
         pressure +=
             w * one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(), drive.x(), drive.y());
         velocity += w * p.velocity();
-        kernel_sum += w * p.volume;
+        kernel_sum += kernel * p.volume;
         weights += w;
     }
     if (weights == 0) return {0, 0, 0, 0};
@@ -189,19 +202,19 @@ struct WallSums {
 };
 
 WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticles& walls, const Rates& rates,
-                   const Model& model, double particle_spacing) {
-    const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};
+                   const Model& model, const Lengths& lengths) {
     const FluidState& p = fluid.state[i];
     const Material& side = material(model, fluid.phase(i));
     WallSums sums;
-    double stretching = 0, wet = 0, room = 0, nearest = kernel.smoothing_length,
-           closest = kernel.support_radius();
+    double stretching = 0, wet = 0, room = 0, nearest = model.smoothing_ratio, closest = 1e300;
     for (std::size_t w = 0; w < walls.size(); ++w) {
         const WallState& wall = walls.state[w];
         const Vec2 offset = p.position() - place(wall), velocity = p.velocity() - Vec2(wall.vx, wall.vy);
+        const double spacing = lengths.finest / walls.fineness[w];
+        const WendlandC2 kernel = Lengths::kernel(lengths.of(p), lengths.of_wall(walls.fineness[w]));
         if (offset.norm() >= kernel.support_radius()) continue;
         const Vec2 e = -offset.normalized(), n = normal(wall), t = tangent(wall);
-        const double slope = particle_spacing * particle_spacing * kernel_slope(kernel, offset.norm());
+        const double slope = spacing * spacing * kernel_slope(kernel, offset.norm());
         const bool edge = n.norm() == 0;
         const double one_sided = one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(),
                                                     wall.ax - model.gravity.x(), wall.ay - model.gravity.y());
@@ -211,12 +224,12 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         const double felt = model.wall_velocity == WallVelocity::own ? 0.5 : 1;
         sums.compression +=
             slope * (edge ? felt * velocity.dot(e) - star : (felt * velocity.dot(n) + star) * n.dot(e));
-        const double open = kernel.value(offset.norm()) * (1 - walls.own_sum[w]);
+        const double open = spacing * spacing * kernel.value(offset.norm()) * (1 - walls.own_sum[w]);
         room += open;
         wet += open * rates.wall[w].wetness;
         if (offset.norm() < closest) {  // its face is the particle's own
             closest = offset.norm();
-            nearest = edge ? closest : offset.dot(n);
+            nearest = (edge ? closest : offset.dot(n)) / spacing;
         }
         const bool in_front = offset.dot(n) > 0;
         if (in_front) {
@@ -238,7 +251,7 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
         }
         sums.push -= slope * p_star * e;
     }
-    sums.distance = nearest / particle_spacing - 0.5;
+    sums.distance = nearest - 0.5;
     const bool alone = fluid.water == fluid.size() && !model.periodic_x;
     if (model.wall_wetting && alone && room > 0 && !(sums.distance < touching_distance))
         sums.compression *= wet / room;
@@ -251,17 +264,19 @@ WallSums wall_sums(const FluidParticles& fluid, std::size_t i, const WallParticl
 }  // namespace
 
 Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, const Model& model,
-                      double particle_spacing) {
-    const WendlandC2 kernel{model.smoothing_ratio * particle_spacing};
+                      double particle_spacing, bool graded) {
+    const Lengths lengths{particle_spacing, model.smoothing_ratio, graded};
     Rates rates;
     for (std::size_t w = 0; w < walls.size(); ++w)
-        rates.wall.push_back(
-            shepard_mean(walls.state[w], walls.own_sum[w], walls.mean[w].wetness, fluid, model, kernel));
+        rates.wall.push_back(shepard_mean(walls.state[w], lengths.of_wall(walls.fineness[w]),
+                                          walls.own_sum[w], walls.mean[w].wetness, fluid, model, lengths));
     for (std::size_t i = 0; i < fluid.size(); ++i) {
-        WallSums sums = wall_sums(fluid, i, walls, rates, model, particle_spacing);
+        WallSums sums = wall_sums(fluid, i, walls, rates, model, lengths);
+        const double own = lengths.of(fluid.state[i]);
         for (std::size_t j = 0; j < fluid.size(); ++j) {
             if (j == i) continue;
             const Pair pair = pair_of(fluid, i, j, model);
+            const WendlandC2 kernel = Lengths::kernel(own, lengths.of(fluid.state[j]));
             const double slope = fluid.state[j].volume * kernel_slope(kernel, pair.distance());
             sums.compression += slope * (pair.u_left() - pair.u_star());
             sums.push -= slope * pair.p_star(kernel.smoothing_length) * pair.e();
@@ -269,9 +284,13 @@ Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, c
         const Vec2 here = fluid.state[i].position();
         double cover = 0;
         for (const FluidState& p : fluid.state)
-            cover += p.volume * kernel.value((here - p.position()).norm());
-        for (const WallState& w : walls.state)
-            cover += particle_spacing * particle_spacing * kernel.value((here - place(w)).norm());
+            cover += p.volume * Lengths::kernel(own, lengths.of(p)).value((here - p.position()).norm());
+        for (std::size_t w = 0; w < walls.size(); ++w) {
+            const double spacing = particle_spacing / walls.fineness[w];
+            cover += spacing * spacing *
+                     Lengths::kernel(own, lengths.of_wall(walls.fineness[w]))
+                         .value((here - place(walls.state[w])).norm());
+        }
         if (sums.distance < touching_distance) cover = touching_kernel_sum + std::max(0.0, -sums.distance);
         rates.kernel_sum.push_back(cover);
         const double density = fluid.state[i].density;

@@ -18,9 +18,10 @@ struct Rates {
     std::vector<WallMean> wall;                          ///< Eq. (19)
 };
 
-/// Pressure, volume, density and impact mark of each particle are taken as they are.
+/// Pressure, volume, density and impact mark, or fineness, of each particle are taken as they are.
+/// @param graded  particles differ in their spacings
 Rates reference_rates(const FluidParticles& fluid, const WallParticles& walls, const Model& model,
-                      double particle_spacing);
+                      double particle_spacing, bool graded = false);
 
 /// Largest difference over the largest expected value, over the particles [first, last).
 double difference(const std::vector<double>& found, const std::vector<double>& expected, std::size_t first,

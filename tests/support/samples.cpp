@@ -7,6 +7,7 @@
 #include <random>
 
 #include "solver/core/errors.hpp"
+#include "solver/setup/graded_lattice.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "solver/setup/lattice.hpp"
 
@@ -106,6 +107,27 @@ Setup shaken_blob(const Model& model, std::uint64_t seed, double particle_spacin
     }
     Dice dice(seed);
     shake(setup, dice);
+    return setup;
+}
+
+Setup graded_tank(const Model& model, std::uint64_t seed) {
+    Setup setup(model, {{0, 0}, {2.0, 1.5}}, 0.025);
+    const Grading grading{{{0.8, 0.6}, {1.2, 0.9}}, setup.particle_spacing, 0.1, 4};
+    std::vector<Box> all;
+    for (const Phase phase : {Phase::water, Phase::air}) {
+        const double density = (phase == Phase::water ? model.water : model.air).eos.reference_density;
+        const Box layer = phase == Phase::water ? Box{{0, 0}, {2.0, 0.8}} : Box{{0, 0.8}, {2.0, 1.5}};
+        const std::vector<Box> cells = graded_cells(layer, grading);
+        fill_cells(setup.fluid, phase, cells, setup.particle_spacing, density);
+        all.insert(all.end(), cells.begin(), cells.end());
+    }
+    setup.walls = graded_tank_walls(setup.domain, all, setup.particle_spacing, 3);
+    std::vector<double> fineness;
+    for (const FluidState& p : setup.fluid.state) fineness.push_back(p.fineness);
+    Dice dice(seed);
+    shake(setup, dice);
+    for (std::size_t i = 0; i < fineness.size(); ++i) setup.fluid.state[i].fineness = fineness[i];
+    setup.coarsest = coarsest_over_finest(setup.fluid, setup.walls);
     return setup;
 }
 

@@ -54,8 +54,8 @@ ArithmeticLimit arithmetic_limit(const Simulation& simulation, int threads) {
     in.acceleration_x = acceleration_x.data();
     in.acceleration_y = acceleration_y.data();
     in.threads = threads;
-    const PairPasses loops =
-        pair_passes(simulation.model(), simulation.instruction_set(), simulation.execution().precision);
+    const PairPasses loops = pair_passes(simulation.model(), simulation.instruction_set(),
+                                         simulation.execution().precision, simulation.coarsest() > 1);
     const double work = neighbours_of(sample);
     return {work / fastest(bursts, [&] { loops.density_rates(in); }),
             work / fastest(bursts, [&] { loops.accelerations(in); })};

@@ -39,6 +39,7 @@ void add_until(CLI::App& command, std::optional<double>& until) {
 }
 
 double finest_quick_spacing(const Scene& scene) {
+    if (scene.resolution && scene.resolution->finest) return *scene.resolution->finest;
     const auto tier = scene.tiers.find("quick");
     if (tier == scene.tiers.end() || tier->second.count(scene.variant) == 0)
         throw InputError("--dx is missing: the scene names no quick spacing for this variant");

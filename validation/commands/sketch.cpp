@@ -13,7 +13,17 @@ namespace {
 constexpr double line_height = 17;
 
 constexpr Stroke probe_line{"#c0392b", 3}, probe_column{"#c0392b", 1, true}, body_edge{"#5b4a26", 1.4},
-    path_edge{"#5b4a26", 1, true}, tank_edge{"#333333", 2}, plane_edge{"#7d3c98", 1.4, true};
+    path_edge{"#5b4a26", 1, true}, tank_edge{"#333333", 2}, plane_edge{"#7d3c98", 1.4, true},
+    finest_edge{"#1e7b4f", 1.4, true}, coarser_edge{"#1e7b4f", 0.7, true};
+
+/// The finest spacing that a tier runs the variant at.
+std::optional<double> finest_of_tiers(const Scene& scene) {
+    std::optional<double> finest;
+    for (const auto& [name, tier] : scene.tiers)
+        if (const auto found = tier.find(scene.variant); found != tier.end())
+            for (const double spacing : found->second) finest = std::min(finest.value_or(spacing), spacing);
+    return finest;
+}
 
 void draw_fluids(Drawing& drawing, const Scene& scene) {
     if (scene.air) {
@@ -73,6 +83,27 @@ void draw_probes(Drawing& drawing, const Scene& scene, Key& key) {
     }
 }
 
+/// The box of the finest particles, and where they are twice, four times, ... as coarse.
+void draw_resolution(Drawing& drawing, const Scene& scene, Key& key) {
+    if (!scene.resolution) return;
+    const Resolution& r = *scene.resolution;
+    drawing.polygon(corners_of(r.box), "", finest_edge);
+    std::string entry = fmt::format(
+        "particles are finest in the dashed box and grow by {:.3g} % from one to the next "
+        "up to {:.3g} times",
+        100 * r.growth, r.coarsest);
+    if (const std::optional<double> finest = r.finest ? r.finest : finest_of_tiers(scene)) {
+        entry += fmt::format("; thin lines: twice, four times, ... at {:.3g} m", *finest);
+        for (double ratio = 2; ratio <= r.coarsest; ratio *= 2) {
+            const Vec2 margin = Vec2::Constant((ratio - 1) * *finest / r.growth);
+            drawing.polygon(corners_of({(r.box.low - margin).cwiseMax(scene.tank.low),
+                                        (r.box.high + margin).cwiseMin(scene.tank.high)}),
+                            "", coarser_edge);
+        }
+    }
+    key.push_back(entry);
+}
+
 void draw_tank(Drawing& drawing, const Scene& scene) {
     drawing.polygon(corners_of(scene.tank), "", tank_edge);
     if (scene.symmetry)
@@ -108,6 +139,7 @@ Drawing sketch(const Scene& scene) {
         if (!body.solid) key.push_back("⊕ " + description_of(body));
     draw_fluids(drawing, scene);
     draw_bodies(drawing, scene);
+    draw_resolution(drawing, scene, key);
     draw_tank(drawing, scene);
     draw_probes(drawing, scene, key);
     drawing.end_at(draw_key(drawing, key));

@@ -20,6 +20,7 @@
 #include "solver/setup/mirrored_body.hpp"
 #include "solver/time/time_step.hpp"
 #include "validation/run/recorders.hpp"
+#include "validation/scene/resolution_section.hpp"
 #include "validation/scene/symmetry_section.hpp"
 #include "validation/scene/wet_bodies.hpp"
 #include "validation/store/environment.hpp"
@@ -68,9 +69,17 @@ bool any_starts_in_water(const Scene& scene) {
                        [&](const BodySpec& body) { return starts_in_water(scene, body); });
 }
 
-FluidParticles fill(const Scene& scene, double particle_spacing) {
+/// The fluid without room for the bodies.
+FluidParticles fill_tank(const Scene& scene, double particle_spacing) {
     FluidParticles fluid;
     const Model& model = scene.model;
+    if (scene.resolution) {
+        const SceneCells cells = cells_of(scene, particle_spacing);
+        fill_cells(fluid, Phase::water, cells.water, particle_spacing, model.water.eos.reference_density);
+        if (scene.air)
+            fill_cells(fluid, Phase::air, cells.above, particle_spacing, model.air.eos.reference_density);
+        return fluid;
+    }
     try {
         for (const Box& box : scene.water_boxes)
             fill_box(fluid, Phase::water, box, particle_spacing, model.water.eos.reference_density);
@@ -81,6 +90,11 @@ FluidParticles fill(const Scene& scene, double particle_spacing) {
     } catch (const InputError& error) {
         throw InputError(error.what() + fitting_text(scene, particle_spacing));
     }
+    return fluid;
+}
+
+FluidParticles fill(const Scene& scene, double particle_spacing) {
+    FluidParticles fluid = fill_tank(scene, particle_spacing);
     std::vector<Outline> outlines;
     for (const BodySpec& body : scene.bodies) outlines.push_back(body.outline);
     if (any_starts_in_water(scene)) {
@@ -94,7 +108,14 @@ FluidParticles fill(const Scene& scene, double particle_spacing) {
 WallParticles boundary(const Scene& scene, double particle_spacing) {
     constexpr double on_plane = 1e-3;  // of a spacing: what rounding leaves of a particle on the plane
     const double support = 2 * scene.model.smoothing_ratio * particle_spacing;
-    WallParticles walls = tank_walls(scene.tank, particle_spacing, support, scene.model.ends());
+    const auto tank = [&] {
+        if (!scene.resolution) return tank_walls(scene.tank, particle_spacing, support, scene.model.ends());
+        SceneCells cells = cells_of(scene, particle_spacing);
+        cells.water.insert(cells.water.end(), cells.above.begin(), cells.above.end());
+        return graded_tank_walls(scene.tank, cells.water, particle_spacing,
+                                 boundary_layers(support, particle_spacing), scene.model.ends());
+    };
+    WallParticles walls = tank();
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const BodySpec& spec = scene.bodies[b];
         try {
@@ -164,6 +185,7 @@ Simulation assemble(const Scene& whole, double particle_spacing, int threads) {
     SimulationSetup setup{
         model,     std::move(fluid), boundary(scene, particle_spacing), particle_spacing, scene.tank, bodies,
         execution, scene.tank_motion};
+    if (scene.resolution) setup.coarsest = coarsest_over_finest(setup.fluid, setup.walls);
     if (scene.arrangement != 0) setup.fluid = settled_arrangement(setup, scene.arrangement);
     set_velocities(scene, setup.fluid);
     return Simulation(std::move(setup));
@@ -203,7 +225,8 @@ void check_spacing(const Scene& scene, double particle_spacing) {
         throw InputError(fmt::format("--dx is {}, expected a positive spacing [m]", particle_spacing));
     }
     const double particles =
-        (scene.tank.high - scene.tank.low).prod() / (particle_spacing * particle_spacing);
+        scene.resolution ? estimate_cost(scene, particle_spacing).fluid_particles
+                         : (scene.tank.high - scene.tank.low).prod() / (particle_spacing * particle_spacing);
     if (particles > most_particles) {
         throw InputError(
             fmt::format("particle spacing {} m would make {:.2g} particles, expected at most {:.2g}",

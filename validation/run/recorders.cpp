@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "validation/metrics/resample.hpp"
+#include "validation/scene/resolution_section.hpp"
 
 namespace wetdeck {
 namespace {
@@ -41,7 +42,7 @@ Recorders::Recorders(const Scene& scene, double particle_spacing)
       water_(scene.water_boxes),
       surface_(scene.initial.surface) {
     for (const Probe& probe : probes_) {
-        if (probe.check) probe.check(particle_spacing);
+        if (probe.check) probe.check(spacing_of(scene, probe, particle_spacing));
         list_.push_back(probe.series);
     }
     for (std::size_t body = 0; body < outlines_.size(); ++body) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run of a scene will cost.
 #include "solver/time/time_step.hpp"
-#include "validation/scene/scene.hpp"
+#include "validation/scene/resolution_section.hpp"
+#include "validation/scene/symmetry_section.hpp"
 
 namespace wetdeck {
 
@@ -20,8 +21,13 @@ CostEstimate estimate_cost(const Scene& scene, double particle_spacing) {
     CostEstimate cost;
     const double volume = particle_spacing * particle_spacing;
     const double computed = scene.symmetry ? 0.5 : 1;
-    const double water = computed * area(scene.water_boxes) / volume,
-                 air = scene.air ? computed * area(scene.air_boxes) / volume : 0;
+    double water = computed * area(scene.water_boxes) / volume,
+           air = scene.air ? computed * area(scene.air_boxes) / volume : 0;
+    if (scene.resolution) {
+        const SceneCells cells = cells_of(scene.symmetry ? right_half(scene) : scene, particle_spacing);
+        water = static_cast<double>(cells.water.size());
+        air = scene.air ? static_cast<double>(cells.above.size()) : 0;
+    }
     cost.fluid_particles = water + air;
     // speeds scale with the water's sound speed, which is set to ten times the fastest water
     const double fastest = 0.15 * scene.model.water.eos.sound_speed;

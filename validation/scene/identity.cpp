@@ -79,6 +79,11 @@ json setup_json(const Scene& scene) {
                   {"force_filter", scene.force_filter},
                   {"frame_times", scene.frame_times}};
     if (scene.symmetry) setup["symmetry"] = *scene.symmetry;
+    if (scene.resolution) {
+        const Resolution& r = *scene.resolution;
+        setup["resolution"] = {
+            {"around", boxes_json({r.box})}, {"growth", r.growth}, {"coarsest", r.coarsest}};
+    }
     if (!scene.tank_guide.empty()) setup["tank_motion"] = scene.tank_guide;
     if (!scene.water_velocities.empty()) {
         setup["water_velocities"] = json::array();

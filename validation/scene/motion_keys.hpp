@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The keys of given motions, springs, solids and planes of symmetry, in the form of scene_keys.cpp.
+// The keys of given motions, springs, solids, planes of symmetry and differing spacings, in the form of scene_keys.cpp.
 #pragma once
 
 namespace wetdeck {
@@ -60,6 +60,13 @@ solids[].name | | solid, solid_2, ... | text | of the solid, for probes and mess
 solids[].position | m | [0, 0] | [x, y] | where the origin of the outline lies in the tank |
 symmetry.x | m | none | the middle of the tank | a plane of symmetry: the half to the right of it is computed, and forces, masses and energies are
   those of the whole; refused where anything is not symmetric | an upright section at half the cost
+resolution.around | m | none: equal spacings | "body", "surface", [x, y] or [x_low, y_low, x_high, y_high] | where particles are finest, as fine as --dx says:
+  a box around the bodies and where they go, the level, a point or a box. From there spacings grow. The water is one layer from wall to wall, without
+  solids, and bodies lie in the box | a slam of some tens of milliseconds, in which far water hardly moves: "body"
+resolution.growth | - | 0.05 | above 0, at most 0.2 | growth of the spacing from one particle to the next, away from the box | 0.05; at 0.1 twice the reflected
+  sound for a few per cent less work
+resolution.coarsest | - | 8 | above 1, at most 16 | largest spacing over the finest | 4 to 8
+resolution.finest | m | | positive number | spacing of a run without --dx |
 )";
 
 }  // namespace wetdeck

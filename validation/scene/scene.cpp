@@ -14,6 +14,7 @@
 #include "validation/scene/expected_motion.hpp"
 #include "validation/scene/motion_section.hpp"
 #include "validation/scene/outline_file.hpp"
+#include "validation/scene/resolution_section.hpp"
 #include "validation/scene/schemes.hpp"
 #include "validation/scene/sections.hpp"
 #include "validation/scene/symmetry_section.hpp"
@@ -274,6 +275,7 @@ Scene read_document(TomlDocument document, const std::optional<std::string>& wan
     read_tiers(root, scene);
     read_probes(root, scene);
     read_symmetry(root, scene);
+    read_resolution(root, scene);
     read_analysis(root, scene);
     root.has("parameters");
     scene.parameters = root.expressions().parameters();

@@ -51,6 +51,14 @@ struct InitialPressure {
     double released_face = 0;  ///< greco: x of the face that was held by the gate [m]
 };
 
+/// Particles that are finest around a place and grow away from it.
+struct Resolution {
+    Box box;                       ///< that holds the finest [m]
+    double growth = 0.05;          ///< of the spacing from one particle to the next [-]
+    double coarsest = 8;           ///< largest spacing over the finest [-]
+    std::optional<double> finest;  ///< of a run that is given no spacing [m]
+};
+
 /// Reasons why a scene lives with a doubt that `check` would raise; empty: it does not.
 struct AcceptedDoubts {
     std::string sound_speed;  ///< of the water, too low for slamming
@@ -78,8 +86,9 @@ struct Scene {
     std::string source_scheme;  ///< the scheme of the scene's source, or empty
     Box tank;
     MovingFrame tank_motion;
-    std::optional<double> symmetry;  ///< x of the plane: the half to the right of it is computed [m]
-    std::string tank_guide;          ///< the motion of the tank as the file gives it; empty: it is at rest
+    std::optional<Resolution> resolution;  ///< none: all spacings are equal
+    std::optional<double> symmetry;        ///< x of the plane: the half to the right of it is computed [m]
+    std::string tank_guide;  ///< the motion of the tank as the file gives it; empty: it is at rest
     AcceptedDoubts accepted;
     std::vector<Box> water_boxes, air_boxes;
     std::vector<Vec2> water_velocities;  ///< of the water boxes at the start [m/s]; empty: at rest

@@ -9,11 +9,11 @@ namespace wetdeck::verification {
 
 const std::vector<Problem>& all_problems() {
     static const std::vector<Problem> problems = {
-        kernel_moments(), riemann_problem(), acoustic_pulse(),     sponge_layer(),     hydrostatic_tank(),
-        gravity_wave(),   taylor_green(),    layered_flow(),       oscillating_drop(), square_patch(),
-        square_in_air(),  block_impact(),    trapped_air_piston(), ritter(),           released_column(),
-        free_flight(),    floating_body(),   heave_decay(),        roll_decay(),       oscillating_cylinder(),
-        moving_tank()};
+        kernel_moments(),       riemann_problem(), acoustic_pulse(), sponge_layer(),       graded_spacing(),
+        hydrostatic_tank(),     gravity_wave(),    taylor_green(),   layered_flow(),       oscillating_drop(),
+        square_patch(),         square_in_air(),   block_impact(),   trapped_air_piston(), ritter(),
+        released_column(),      free_flight(),     floating_body(),  heave_decay(),        roll_decay(),
+        oscillating_cylinder(), moving_tank()};
     return problems;
 }
 

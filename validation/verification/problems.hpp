@@ -13,6 +13,7 @@ Problem kernel_moments();
 Problem riemann_problem();
 Problem acoustic_pulse();
 Problem sponge_layer();
+Problem graded_spacing();
 Problem hydrostatic_tank();
 Problem gravity_wave();
 Problem taylor_green();

@@ -44,6 +44,19 @@ void Setup::fill_around(Phase phase, Box box) {
     fill(phase, {{box.high.x(), box.low.y()}, {domain.high.x(), box.high.y()}});
 }
 
+void Setup::fill_graded(double level, const Grading& grading) {
+    const Box wet{domain.low, {domain.high.x(), level}}, dry{{domain.low.x(), level}, domain.high};
+    std::vector<Box> cells = graded_cells(wet, grading);
+    fill_cells(fluid, Phase::water, cells, grading.finest, model.water.eos.reference_density);
+    if (dry.high.y() > dry.low.y()) {
+        const std::vector<Box> above = graded_cells(dry, grading);
+        cells.insert(cells.end(), above.begin(), above.end());
+    }
+    const int layers = boundary_layers(2 * model.smoothing_ratio * grading.finest, grading.finest);
+    walls = graded_tank_walls(domain, cells, grading.finest, layers, model.ends());
+    coarsest = coarsest_over_finest(fluid, walls);
+}
+
 void Setup::spin_water(double rotation) {
     for (std::size_t i = 0; i < fluid.water; ++i) {
         FluidState& p = fluid.state[i];

@@ -14,7 +14,8 @@ namespace wetdeck::WETDECK_ISA {
 /// The particles of a cluster, one per lane. Lanes beyond its count hold particles that are computed and not
 /// stored.
 struct Lanes {
-    Pack x, y, vx, vy, pressure, density, impact;
+    Pack x, y, vx, vy, pressure, density;
+    Pack impact, fineness;  ///< the same number of the state
 };
 
 /// The eight numbers of each particle of a cluster, turned: one number of all particles a pack.
@@ -54,7 +55,7 @@ WETDECK_INLINE Pack load(const double* values, const Cluster& cluster) {
 WETDECK_INLINE Lanes load(const FluidState* state, const Cluster& cluster) {
     Pack c[pack_width];
     load_columns(state, cluster, c);
-    return {c[0], c[1], c[2], c[3], c[4], c[6], c[7]};
+    return {c[0], c[1], c[2], c[3], c[4], c[6], c[7], c[7]};
 }
 
 WETDECK_INLINE void store(Pack values, double* out, const Cluster& cluster) {
@@ -128,12 +129,21 @@ struct InDouble {
 /// Eight boundary particles, one per lane.
 struct WallLanes {
     Pack x, y, vx, vy, nx, ny, relative_x, relative_y;  ///< relative: acceleration less gravity
+    Pack fineness;                                      ///< the finest spacing over its own
 };
 
 WETDECK_INLINE WallLanes load(const PassInput& in, const Cluster& cluster) {
     Pack c[pack_width];
     load_columns(in.wall, cluster, c);
-    return {c[0], c[1], c[2], c[3], c[4], c[5], c[6] - in.gravity.x(), c[7] - in.gravity.y()};
+    return {c[0],
+            c[1],
+            c[2],
+            c[3],
+            c[4],
+            c[5],
+            c[6] - in.gravity.x(),
+            c[7] - in.gravity.y(),
+            load(in.wall_fineness, cluster)};
 }
 
 template <class Number>

@@ -69,7 +69,7 @@ WETDECK_INLINE Pack sum_of_halves(FloatPack a) {
 /// A cluster in single precision.
 struct MixedLanes {
     FixedPack x, y;
-    FloatPack vx, vy, pressure, density;
+    FloatPack vx, vy, pressure, density, fineness;
 };
 
 WETDECK_INLINE FixedPack bits_of(FloatEight a) {
@@ -96,7 +96,7 @@ WETDECK_INLINE SeparationOf<FloatPack> separation(const MixedLanes& i, FixedPack
 /// Two neighbours, one in each half of the lanes.
 struct MixedPair {
     FixedPack x, y;
-    FloatPack vx, vy, pressure, volume, density;
+    FloatPack vx, vy, pressure, volume, density, fineness;
 };
 
 #if defined(WETDECK_AVX512)
@@ -127,7 +127,8 @@ struct TwoByTwo {
                     halves(a.vy, b.vy),
                     halves(a.pressure, b.pressure),
                     halves(a.volume, b.volume),
-                    halves(a.density, b.density)};
+                    halves(a.density, b.density),
+                    halves(a.fineness, b.fineness)};
         }
         WETDECK_INLINE void operator++() { index += 2; }
         WETDECK_INLINE bool operator!=(const std::uint32_t* end) const { return index < end; }
@@ -156,7 +157,8 @@ struct InMixed {
                 for_all_neighbours(c[2]),
                 for_all_neighbours(c[3]),
                 for_all_neighbours(c[4]),
-                for_all_neighbours(c[6])};
+                for_all_neighbours(c[6]),
+                for_all_neighbours(c[7])};
     }
     static WETDECK_INLINE Lanes beside_walls(const PassInput& in, const Cluster& cluster, const Fluid&) {
         return WETDECK_ISA::load(in.fluid, cluster);

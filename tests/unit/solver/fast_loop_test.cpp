@@ -46,6 +46,48 @@ TEST_CASE("Rates of the fast loop are those of the plain sum over all pairs", "[
     }
 }
 
+TEST_CASE("Where particles differ in their spacings the fast loop is the plain sum, too", "[simd][pairs]") {
+    const std::string name = GENERATE(from_range(samples::instruction_sets()));
+    INFO(name);
+    const samples::ChosenInstructionSet chosen(name);
+    Model model = two_phase_model();
+    model.wall_slip = GENERATE(WallSlip::free, WallSlip::no);
+    if (model.wall_slip == WallSlip::no) {
+        model.viscosity = Viscosity::symmetric;
+        model.water.viscosity = 2;
+        model.air.viscosity = 0.01;
+    }
+    samples::Setup setup = samples::graded_tank(model, 1);
+    setup.execution.precision = GENERATE(Precision::double_precision, Precision::mixed);
+    const double tolerance = setup.execution.precision == Precision::mixed ? 2e-5 : 1e-11;
+    const Simulation simulation = setup.simulate();
+    const FluidParticles& fluid = simulation.fluid();
+    const samples::Rates expected = samples::reference_rates(fluid, simulation.walls(), simulation.model(),
+                                                             simulation.particle_spacing(), true);
+    const std::size_t ends[] = {0, fluid.water, fluid.size()};
+    for (int phase = 0; phase < 2; ++phase) {
+        const std::size_t first = ends[phase], last = ends[phase + 1];
+        CHECK(samples::difference(fluid.density_rate, expected.density, first, last) < tolerance);
+        CHECK(samples::difference(fluid.acceleration_x, expected.acceleration_x, first, last) < tolerance);
+        CHECK(samples::difference(fluid.acceleration_y, expected.acceleration_y, first, last) < tolerance);
+    }
+    CHECK(samples::difference(fluid.kernel_sum, expected.kernel_sum, 0, fluid.water) < tolerance);
+    CHECK(simulation.momentum_error() < tolerance);
+    // with one smoothing length for all the sums are others
+    const samples::Rates equal = samples::reference_rates(fluid, simulation.walls(), simulation.model(),
+                                                          simulation.particle_spacing());
+    CHECK(samples::difference(fluid.acceleration_y, equal.acceleration_y, 0, fluid.water) > 1e-2);
+}
+
+TEST_CASE("Particles that could differ in their spacings and do not have the rates of equal spacings",
+          "[simd][pairs]") {
+    const samples::Setup equal = samples::shaken_tank(two_phase_model(), 6);
+    samples::Setup graded = equal;
+    graded.coarsest = 2;
+    for (FluidState& p : graded.fluid.state) p.fineness = 1;
+    CHECK(samples::rate_difference(equal.simulate(), graded.simulate()) < 1e-12);
+}
+
 TEST_CASE("At edges of bodies and under a bound of the density the fast loop is the plain sum, too",
           "[simd][wall]") {
     const std::string name = GENERATE(from_range(samples::instruction_sets()));

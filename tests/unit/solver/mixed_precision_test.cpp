@@ -10,7 +10,7 @@
 #include "tests/support/samples.hpp"
 
 namespace wetdeck::plain {
-PairPasses choose_pair_passes(const Model& model, Precision precision);
+PairPasses choose_pair_passes(const Model& model, Precision precision, bool graded);
 }
 
 using namespace wetdeck;
@@ -91,7 +91,7 @@ TEST_CASE("Passes in mixed precision without intrinsics are within single precis
     Outputs out(simulation.fluid().size());
     PassInput in = simulation.inputs();
     out.receive(in);
-    const PairPasses passes = plain::choose_pair_passes(simulation.model(), Precision::mixed);
+    const PairPasses passes = plain::choose_pair_passes(simulation.model(), Precision::mixed, false);
     passes.density_rates(in);
     passes.accelerations(in);
     check_rates(in, simulation.fluid(),

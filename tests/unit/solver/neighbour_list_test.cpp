@@ -106,6 +106,49 @@ TEST_CASE("The list holds every pair within support and skin, for disordered set
     CHECK(missing_of_walls(listed, support + 8 * skin) > 0);
 }
 
+TEST_CASE("Where particles differ in their smoothing lengths the list holds every pair within its own reach",
+          "[neighbours]") {
+    samples::Setup setup = samples::graded_tank(samples::two_phase_model(), GENERATE(1, 2));
+    // some thrown about, so that fine and coarse ones lie side by side, and out of the tank
+    for (std::size_t i = 0; i < setup.fluid.size(); i += 20) {
+        setup.fluid.state[i].x += 0.013 * static_cast<double>(i % 100) - 0.6;
+        setup.fluid.state[i].y -= 0.007 * static_cast<double>(i % 130) - 0.4;
+    }
+    const ListReach reach{2.5 * setup.particle_spacing, 0.01};
+    NeighbourList list(setup.domain, setup.particle_spacing, reach.support, reach.skin, true,
+                       DomainEnds::walls, setup.coarsest);
+    list.sort_fixed_walls(setup.walls);
+    const PairPasses passes = pair_passes(setup.model, "", Precision::double_precision, true);
+    list.build(setup.fluid, setup.walls, passes.filter_near, GENERATE(1, 3));
+    const FluidParticles& fluid = setup.fluid;
+    const auto mean = [](double a, double b) { return 0.5 * (a + b); };
+    std::size_t lacking = 0, listed = 0, within = 0;
+    for (const Cluster& c : list.clusters()) {
+        std::set<std::uint32_t> near, near_walls;
+        for (std::size_t phase = 0; phase < phase_count; ++phase)
+            for (const std::uint32_t j : fluid_neighbours(list.blocks(), c, phase)) near.insert(j);
+        for (const std::uint32_t w : wall_neighbours(list.blocks(), c)) near_walls.insert(w);
+        listed += c.count * near.size();
+        for (std::uint32_t i = c.first; i < c.first + c.count; ++i) {
+            const FluidState& p = fluid.state[i];
+            for (std::uint32_t j = 0; j < fluid.size(); ++j) {
+                const FluidState& q = fluid.state[j];
+                const bool close =
+                    (p.position() - q.position()).norm() < reach.of(mean(p.fineness, q.fineness));
+                within += close;
+                lacking += close && near.count(j) == 0;
+            }
+            for (std::uint32_t w = 0; w < setup.walls.size(); ++w) {
+                const Vec2 apart = p.position() - position(setup.walls.state[w]);
+                const double farthest = reach.of(mean(p.fineness, setup.walls.fineness[w]));
+                lacking += apart.norm() < farthest && near_walls.count(w) == 0;
+            }
+        }
+    }
+    CHECK(lacking == 0);
+    CHECK(listed < 4 * within);  // a list that held far pairs, too, would be slow
+}
+
 /// Moves all fluid to where `flow` takes it from where the list was built; returns the longest move.
 template <class Flow>
 double move(Listed& listed, const Flow& flow) {

@@ -5,7 +5,7 @@
 #include "tests/support/samples.hpp"
 
 namespace wetdeck::plain {
-PairPasses choose_pair_passes(const Model& model, Precision precision);
+PairPasses choose_pair_passes(const Model& model, Precision precision, bool graded);
 }
 
 using namespace wetdeck;
@@ -19,7 +19,8 @@ TEST_CASE("Passes without intrinsics give the rates of every instruction set to 
     in.kernel_sum = sum.data();
     in.acceleration_x = ax.data();
     in.acceleration_y = ay.data();
-    const PairPasses passes = plain::choose_pair_passes(simulation.model(), Precision::double_precision);
+    const PairPasses passes =
+        plain::choose_pair_passes(simulation.model(), Precision::double_precision, false);
     passes.density_rates(in);
     passes.accelerations(in);
     for (std::size_t i = 0; i < fluid.size(); ++i) {

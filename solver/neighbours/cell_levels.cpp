@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "solver/neighbours/cell_levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wetdeck {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Number of the level of a particle: each holds finenesses from a power of two on.
+std::size_t level_number(double fineness) {
+    int exponent;
+    std::frexp(fineness, &exponent);
+    return static_cast<std::size_t>(std::max(-exponent, 0));
+}
+
+void append(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, Phase phase) {
+    for (std::size_t first = begin; first < end; first += cluster_width) {
+        Cluster cluster;
+        cluster.first = static_cast<std::uint32_t>(first);
+        cluster.count = static_cast<std::uint32_t>(std::min<std::size_t>(cluster_width, end - first));
+        cluster.phase = phase;
+        clusters.push_back(cluster);
+    }
+}
+
+}  // namespace
+
+CellGrid::Cell CellGrid::cell_of(Vec2 place) const {
+    const auto clamped = [](double offset, double width, std::uint32_t count) {
+        return static_cast<std::uint32_t>(std::clamp(offset / width, 0.0, static_cast<double>(count - 1)));
+    };
+    return {clamped(place.x() - origin.x(), cell_width, strips),
+            clamped(place.y() - origin.y(), cell_height, rows)};
+}
+
+CellGrid grid_over(Box box, double particle_spacing) {
+    CellGrid grid{box.low, 3.2 * particle_spacing, particle_spacing, 0, 0};
+    const Vec2 size = box.high - box.low;
+    grid.strips = static_cast<std::uint32_t>(std::ceil(size.x() / grid.cell_width)) + 1;
+    grid.rows = static_cast<std::uint32_t>(std::ceil(size.y() / grid.cell_height)) + 1;
+    return grid;
+}
+
+CellLevels::CellLevels(const CellGrid& over_domain, double coarsest) : finest_(over_domain.cell_height) {
+    const std::size_t count = coarsest > 1 ? std::max<std::size_t>(level_number(1 / coarsest) + 1, 2) : 1;
+    std::uint32_t first_cell = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+        levels_.push_back({over_domain,
+                           first_cell,
+                           std::max(std::exp2(-1.0 - static_cast<double>(n)), 1 / coarsest),
+                           {Vec2::Constant(-infinity), Vec2::Constant(infinity)}});
+        first_cell = levels_.back().end_cell();
+    }
+}
+
+std::size_t CellLevels::level_of(double fineness) const {
+    return levels_.size() == 1 ? 0 : std::min(level_number(fineness), levels_.size() - 1);
+}
+
+std::uint32_t CellLevels::cell_of(Vec2 place, double fineness) const {
+    const Level& level = levels_[level_of(fineness)];
+    return level.number(level.grid.cell_of(place));
+}
+
+std::vector<Box> CellLevels::no_extents() const {
+    return std::vector<Box>(levels_.size(), {Vec2::Constant(infinity), Vec2::Constant(-infinity)});
+}
+
+void CellLevels::fit_to(const std::vector<Box>& extents) {
+    std::uint32_t first_cell = 0;
+    for (std::size_t n = 0; n < levels_.size(); ++n) {
+        Level& level = levels_[n];
+        const bool empty = extents[n].low.x() > extents[n].high.x();
+        level.grid = grid_over(empty ? Box{Vec2::Zero(), Vec2::Zero()} : extents[n], std::exp2(n) * finest_);
+        level.extent = extents[n];
+        level.first_cell = first_cell;
+        first_cell = level.end_cell();
+    }
+}
+
+void CellLevels::append_clusters(std::vector<Cluster>& clusters, std::size_t group, Phase phase) const {
+    const std::uint32_t* first = start.data() + group * count();
+    for (const Level& level : levels_)
+        append(clusters, first[level.first_cell], first[level.end_cell()], phase);
+}
+
+}  // namespace wetdeck
