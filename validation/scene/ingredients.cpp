@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "validation/scene/ingredients.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "validation/scene/model_keys.hpp"
@@ -13,7 +15,8 @@ std::string dashed(std::string name) {
     return name;
 }
 
-constexpr const char *air = "air", *steps_of_the_air = "steps of the air";
+constexpr const char *air = "air", *steps_of_the_air = "steps of the air",
+                     *differing_spacings = "differing spacings";
 
 }  // namespace
 
@@ -23,6 +26,7 @@ std::vector<Ingredient> ingredients_of(const Scene& scene) {
         if (row.removal && row.removal->present(scene))
             all.push_back({row.removal->ingredient, row.removal->overrides(scene)});
     }
+    if (scene.resolution) all.push_back({differing_spacings, {"resolution.coarsest=1"}});
     return all;
 }
 
@@ -40,7 +44,16 @@ AblationPlan ablation_plan(const Scene& scene) {
         plan.pairs.push_back({one.name, 0, off});
         if (one.name == steps_of_the_air) without_switch = off;
     }
-    if (!scene.model.dissipation_switch) {
+    if (const auto& resolution = scene.resolution) {
+        const auto halved = [&](const char* key, double value) {
+            return std::vector<std::string>{fmt::format("resolution.{}={}", key, 0.5 * value)};
+        };
+        plan.pairs.push_back(
+            {"growth of spacings (halved)", 0, add("half the growth", halved("growth", resolution->growth))});
+        plan.pairs.push_back(
+            {"coarsest spacing (halved)", 0,
+             add("half the coarsest spacing", halved("coarsest", std::max(2.0, resolution->coarsest)))});
+    } else if (!scene.model.dissipation_switch) {
         plan.pairs.push_back({"switched dissipation (added)",
                               add("with switched dissipation", {"model.dissipation_switch=true"}),
                               without_switch});

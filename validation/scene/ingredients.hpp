@@ -35,8 +35,9 @@ struct AblationPlan {
 };
 
 /// The full model less each ingredient; the full model and the same with the switched dissipation of Yang et
-/// al. (2020), where the scene does without; the minimal model, which has none of its ingredients but air
-/// (the scene would be another one without), with each of them.
+/// al. (2020), where the scene does without and has equal spacings, else with growth or coarsest spacing
+/// halved; the minimal model, which has none of its ingredients but air (the scene would be another one
+/// without), with each of them.
 AblationPlan ablation_plan(const Scene& scene);
 
 }  // namespace wetdeck

@@ -65,7 +65,7 @@ resolution.around | m | none: equal spacings | "body", "surface", [x, y] or [x_l
   solids, and bodies lie in the box | a slam of some tens of milliseconds, in which far water hardly moves: "body"
 resolution.growth | - | 0.05 | above 0, at most 0.2 | growth of the spacing from one particle to the next, away from the box | 0.05; at 0.1 twice the reflected
   sound for a few per cent less work
-resolution.coarsest | - | 8 | above 1, at most 16 | largest spacing over the finest | 4 to 8
+resolution.coarsest | - | 8 | 1 to 16 | largest spacing over the finest; 1: all are equal | 4 to 8
 resolution.finest | m | | positive number | spacing of a run without --dx |
 )";
 

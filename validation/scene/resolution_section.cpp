@@ -96,11 +96,12 @@ void read_resolution(const TomlTable& root, Scene& scene) {
     if (!(resolution.growth > 0 && resolution.growth <= largest_growth))
         table->fail("growth", fmt::format("is {:.6g}, expected a share of the spacing above 0, at most {}",
                                           resolution.growth, largest_growth));
-    if (!(resolution.coarsest > 1 && resolution.coarsest <= largest_coarsest))
-        table->fail("coarsest",
-                    fmt::format("is {:.6g}, expected the largest spacing over the finest, above 1 and "
-                                "at most {}",
-                                resolution.coarsest, largest_coarsest));
+    if (!(resolution.coarsest >= 1 && resolution.coarsest <= largest_coarsest))
+        table->fail(
+            "coarsest",
+            fmt::format(
+                "is {:.6g}, expected the largest spacing over the finest, from 1 (equal spacings) to {}",
+                resolution.coarsest, largest_coarsest));
     if (resolution.finest && !(*resolution.finest > 0))
         table->fail("finest", "expected a positive spacing [m]");
     for (const BodySpec& spec : scene.bodies)
@@ -119,7 +120,7 @@ void read_resolution(const TomlTable& root, Scene& scene) {
                                 "spacings",
                                 level));
     table->finish();
-    scene.resolution = resolution;
+    if (resolution.coarsest > 1) scene.resolution = resolution;
 }
 
 Grading grading_of(const Resolution& resolution, double finest) {

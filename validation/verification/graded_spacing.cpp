@@ -89,7 +89,7 @@ double wave_frequency_error(double dx, double growth) {
     fill(setup, depth, {{0.4, depth - 0.1}, {0.6, depth + 0.1}}, growth);
     set_initial_pressure(setup.fluid, model,
                          [&](Phase, Vec2 at) { return 1000 * gravity * (depth - at.y()); });
-    const auto mode = [&](Vec2 at) {
+    const auto mode = [&](Vec2 at) -> Vec2 {
         return Vec2(-std::sin(k * at.x()) * std::cosh(k * at.y()),
                     std::cos(k * at.x()) * std::sinh(k * at.y())) /
                std::sinh(k * depth);

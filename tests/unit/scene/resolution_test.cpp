@@ -5,6 +5,7 @@
 #include "tests/unit/scene/scene_samples.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/scene/identity.hpp"
+#include "validation/scene/ingredients.hpp"
 #include "validation/scene/resolution_section.hpp"
 
 using namespace wetdeck;
@@ -71,6 +72,26 @@ TEST_CASE("a graded scene has fewer particles, the same masses, and each its fin
     CHECK(setup_identity(graded) != setup_identity(equal));
 }
 
+TEST_CASE("with a coarsest spacing of once the finest all spacings are equal", "[resolution][scene]") {
+    const Scene equal = layer({"resolution.around=surface", "resolution.coarsest=1"});
+    CHECK_FALSE(equal.resolution);
+    CHECK(setup_identity(equal) == setup_identity(layer({})));
+}
+
+TEST_CASE("an ablation study halves growth and coarsest spacing, and does without", "[resolution][scene]") {
+    const Scene graded = layer({"resolution.around=surface"});
+    std::vector<std::string> names;
+    for (const AblationRun& run : ablation_plan(graded).runs) {
+        names.push_back(run.name);
+        std::vector<std::string> overrides = {"resolution.around=surface"};
+        overrides.insert(overrides.end(), run.overrides.begin(), run.overrides.end());
+        CHECK_NOTHROW(layer(overrides));
+    }
+    CHECK_THAT(names, Catch::VectorContains(std::string("without-differing-spacings")) &&
+                          Catch::VectorContains(std::string("half-the-growth")) &&
+                          Catch::VectorContains(std::string("half-the-coarsest-spacing")));
+}
+
 TEST_CASE("a scene that cannot have differing spacings says why", "[resolution][scene]") {
     CHECK(refused({"resolution.around=surface"}) == "");
     CHECK_THAT(refused({"resolution.around=body"}), Contains("the scene has none"));
@@ -81,7 +102,7 @@ TEST_CASE("a scene that cannot have differing spacings says why", "[resolution][
     CHECK_THAT(refused({"resolution.around=[0.5,0.1]"}), Contains("does not reach the level at 0.2 m"));
     CHECK_THAT(refused({"resolution.around=surface", "resolution.growth=0.3"}), Contains("at most 0.2"));
     CHECK_THAT(refused({"resolution.around=surface", "resolution.growth=0"}), Contains("above 0"));
-    CHECK_THAT(refused({"resolution.around=surface", "resolution.coarsest=1"}), Contains("above 1"));
+    CHECK_THAT(refused({"resolution.around=surface", "resolution.coarsest=0.5"}), Contains("from 1 (equal"));
     CHECK_THAT(refused({"resolution.around=surface", "resolution.coarsest=40"}), Contains("at most 16"));
     CHECK_THAT(refused({"resolution.around=surface", "resolution.finest=-1"}), Contains("positive spacing"));
     CHECK_THAT(refused({"resolution.around=surface", "model.dissipation_switch=true"}),
