@@ -15,6 +15,7 @@
 #include "validation/peer/foam_run.hpp"
 #include "validation/peer/foam_series.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/directory_lock.hpp"
 
 namespace wetdeck {
 namespace {
@@ -74,6 +75,8 @@ PeerResult run_foam_peer(const Scene& scene, const fs::path& directory, const Fo
     for (const double cell : options.cells) cases.push_back(scene_case(scene, cell, options.until));
     check_solver(cases.front().foam.solver());
     make_directories(directory);
+    // a solver of an earlier call that was killed ends within a second
+    const DirectoryLock lock(directory, std::chrono::seconds(15), DirectoryLock::Holder::with_children);
     const bool sound = slanted_cells_are_sound(directory / "self_test");
     for (const SceneCase& written : cases) check_cells(written, sound);
     const auto start = Clock::now();
