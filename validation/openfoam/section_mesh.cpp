@@ -21,7 +21,8 @@ namespace wetdeck {
 namespace {
 
 constexpr double smooth_turn = std::numbers::pi / 18;  // between two sides of one curve
-constexpr double side_in_cells = 2;                    // shortest side of a curve
+constexpr double side_in_cells = 1.5;                  // shortest side of a curve: it becomes two cells
+constexpr double shrunk = 0.88;                        // size of the cells over that asked of gmsh
 constexpr double growth = 0.12;                        // of the size of cells over the distance
 constexpr double coarsest = 6;                         // far cells over those at the section
 constexpr int limit = 300;                             // of gmsh's wall time [s]
@@ -183,8 +184,8 @@ std::string section_geometry(const SectionShape& shape) {
         "Field[1] = Box;\nField[1].VIn = {:.9g};\nField[1].VOut = {:.9g};\nField[1].XMin = {:.9g};\n"
         "Field[1].XMax = {:.9g};\nField[1].YMin = {:.9g};\nField[1].YMax = {:.9g};\nField[1].Thickness = "
         "{:.9g};\nBackground Field = 1;\n",
-        shape.cell, coarsest * shape.cell, fine.low.x(), fine.high.x(), fine.low.y(), fine.high.y(),
-        (coarsest - 1) * shape.cell / growth);
+        shape.cell / shrunk, coarsest * shape.cell / shrunk, fine.low.x(), fine.high.x(), fine.low.y(),
+        fine.high.y(), (coarsest - 1) * shape.cell / growth);
     // Recombination 2 cuts what is left in four-cornered cells: no triangles stay.
     return text +
            "Mesh.MeshSizeExtendFromBoundary = 0;\nMesh.MeshSizeFromPoints = 0;\nMesh.Algorithm = 6;\n"

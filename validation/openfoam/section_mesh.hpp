@@ -20,7 +20,7 @@ struct SectionShape {
 };
 
 /// The corners between which the mesh follows an outline: corners at which it turns by 10 degrees or more,
-/// and of curves that are drawn with shorter sides, corners about two cells apart.
+/// and of curves that are drawn with shorter sides, corners one and a half cells apart or a little more.
 std::vector<Vec2> meshed_corners(const std::vector<Vec2>& outline, double cell);
 
 /// The input of gmsh: the tank without the section, its sides named after their patches.

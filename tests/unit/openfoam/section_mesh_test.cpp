@@ -81,10 +81,10 @@ TEST_CASE("A mesh keeps the corners of a section and every second or so of a cur
     CHECK(meshed_corners(wedge, 0.5).size() == 3);
     const std::vector<Vec2> round = meshed_corners(circle(96, 0.055), 0.0025);
     CHECK(round.size() < 96);
-    CHECK(round.size() > 30);
+    CHECK(round.size() > 40);
     CHECK(round.front().y() == Approx(0.945));
     for (std::size_t k = 0; k < round.size(); ++k)
-        CHECK((round[(k + 1) % round.size()] - round[k]).norm() > 0.0049);
+        CHECK((round[(k + 1) % round.size()] - round[k]).norm() > 0.00374);
     CHECK(meshed_corners(circle(24, 0.055), 0.0025).size() == 24);
 }
 
