@@ -59,7 +59,7 @@ cp "$case"/system/* "$folder/other/system"
 
 # A build that computes its slanted cells wrongly is refused in one line, with the fault's name.
 if [[ "$(dpkg-query -W -f '${Version}' openfoam 2>/dev/null)" == "1912.200626-1+b1" ]]; then
-    "$WETDECK_PROGRAM" peer openfoam heeled_wedge --dx 0.02 --out "$folder/refused" >"$folder/log" 2>&1 && fail "a faulty build went through"
+    "$WETDECK_PROGRAM" peer openfoam heeled_wedge --dx 0.015 --out "$folder/refused" >"$folder/log" 2>&1 && fail "a faulty build went through"
     [[ $(wc -l <"$folder/log") == 1 ]] || { cat "$folder/log"; fail "more than one line on a faulty build"; }
     grep -q "multiplies a tensor and a vector in place" "$folder/log" || { cat "$folder/log"; fail "the fault is not named"; }
 fi
