@@ -118,6 +118,10 @@ void write_section(const Scene& scene, const FoamBody& body, SceneCase& written)
         "The floor is an inflow of water at the speed of the body and keeps its distance from it; the roof "
         "is "
         "open. wetdeck's tank is closed, and its floor comes nearer.");
+    written.differences.emplace_back(
+        "Suction has no limit: water that has wet a curved side follows it around, and pulls; wetdeck's "
+        "water "
+        "without air leaves it. Compare rounded sections until the flow would separate.");
     if (scene.symmetry)
         written.differences.emplace_back("The whole is computed; wetdeck computes half of it.");
 }
