@@ -25,7 +25,7 @@ peer dam_break dam_break --until 0.66 --dx 0.02
 within "$(value dam_break arrival_time)" 2.376 2.424 "arrival of the dam break (2.40 within 1 %)"
 peer wedge wedge --variant constant-velocity --dx 0.01
 within "$(value wedge force_coefficient)" 13.3 14.6 "force coefficient of the wedge (exact 14.02)"
-peer plate flat_plate --variant constant-velocity --dx 0.008 --cells 0.6,0.8,1 --until 0.0078
+peer plate flat_plate --variant constant-velocity --dx 0.008 --cells 0.7,1 --until 0.0078
 within "$(value plate force_peak)" 77400 85600 "force peak of the plate [N/m] (81500 within 5 %)"
 within "$(value plate impulse_2ms)" 143.6 158.8 "impulse of the plate [N s/m] (151.2 within 5 %)"
 
