@@ -9,6 +9,7 @@
 #include "solver/core/errors.hpp"
 #include "validation/store/child_process.hpp"
 #include "validation/store/run_store.hpp"
+#include "validation/store/temporary_folder.hpp"
 
 namespace wetdeck {
 namespace {
@@ -16,27 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double end = 0.5;  // of the runs [s]: the front is on its way
-
-/// A folder of its own that goes when the comparison ends.
-class Workplace {
-  public:
-    Workplace() {
-        std::string name = (fs::temp_directory_path() / "wetdeck_against_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw EnvironmentError(fmt::format("{}: no folder can be made", name));
-        path_ = name;
-    }
-    ~Workplace() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 std::string last_line_of(const std::string& text) {
     const std::size_t line = text.find_last_of('\n');
@@ -87,7 +67,7 @@ Comparison compare_builds(const AgainstOptions& options) {
         throw InputError(fmt::format("--against {}: --version ended with status {}: {}",
                                      options.program.string(), version.status, last_line_of(version.output)));
     comparison.version = version.output.substr(0, version.output.find('\n'));
-    const Workplace workplace;
+    const TemporaryFolder workplace;
     for (const char* const variant : {"two-phase", "single-phase"}) {
         std::vector<double> ratios, wall_ratios, our_rates, their_rates;
         for (int pair = 0; pair < options.repeats; ++pair) {

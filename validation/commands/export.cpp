@@ -44,7 +44,8 @@ int export_case(const ExportOptions& options) {
 
 void add_export(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<ExportOptions>();
-    CLI::App& command = *app.add_subcommand("export", "write a scene as a case of OpenFOAM");
+    CLI::App& command =
+        *app.add_subcommand("export", "write a scene as a case of OpenFOAM (sections need gmsh)");
     command.add_option("format", options->format, "of which code")
         ->required()
         ->type_name("")
@@ -57,6 +58,11 @@ void add_export(CLI::App& app, int& exit_code) {
     add_overrides(command, options->overrides);
     command.add_option("--out", options->out, "folder of the case")->required()->type_name("DIR");
     command.add_flag("--replace", options->replace, "write into the folder though it holds files");
+    command.footer(
+        fmt::format("Supported are {}. Sections need gmsh (apt install gmsh), nothing needs OpenFOAM. "
+                    "DIFFERENCES.md in the "
+                    "folder names all that differs from the scene.",
+                    foam_supported));
     command.callback([options, &exit_code] { exit_code = export_case(*options); });
 }
 

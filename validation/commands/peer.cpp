@@ -79,8 +79,9 @@ int peer(PeerOptions options) {
 
 void add_peer(CLI::App& app, int& exit_code) {
     const auto options = std::make_shared<PeerOptions>();
-    CLI::App& command =
-        *app.add_subcommand("peer", "run a scene with OpenFOAM on three meshes and compare (needs OpenFOAM)");
+    CLI::App& command = *app.add_subcommand(
+        "peer",
+        "run a scene with OpenFOAM on three meshes and compare (needs OpenFOAM, for sections also gmsh)");
     command.add_option("format", options->format, "which code")
         ->required()
         ->type_name("")
@@ -104,7 +105,11 @@ void add_peer(CLI::App& app, int& exit_code) {
     command.add_option("--out", options->out, "folder of the cases, the curves and peer.json")
         ->required()
         ->type_name("DIR");
-    command.footer("Finished meshes are kept: the same command again runs only what is missing.");
+    command.footer(
+        "Finished meshes are kept: the same command again runs only what is missing. Sections that are "
+        "neither "
+        "plates nor upright wedges need gmsh, too, and a build of OpenFOAM without the fault of Debian "
+        "12's.");
     command.callback([options, &exit_code] { exit_code = peer(*options); });
 }
 

@@ -127,15 +127,17 @@ std::map<std::string, std::string> materials(const FoamCase& wanted) {
 std::string functions(const FoamCase& wanted) {
     std::string text;
     if (wanted.has_body)
-        text +=
-            "    body\n    {\n        type forces; libs (\"libforces.so\"); patches (body); CofR (0 0 0);\n"
-            "        writeControl timeStep; writeInterval 1; log no;\n    }\n";
+        text += fmt::format(
+            "    body\n    {{\n        type forces; libs (\"libforces.so\"); patches (body); CofR {};\n"
+            "        writeControl timeStep; writeInterval 1; log no;\n    }}\n",
+            foam_vector(wanted.moment_centre));
     for (const FoamProbes& probes : wanted.probes) {
         text += fmt::format(
-            "    {}\n    {{\n        type probes; libs (\"libsampling.so\"); fields ({}); writeControl "
-            "timeStep; "
-            "writeInterval 1;\n        probeLocations\n        (\n",
-            probes.name, probes.fields);
+            "    {}\n    {{\n        type probes; libs (\"libsampling.so\"); fields ({}); "
+            "writeControl {};\n        probeLocations\n        (\n",
+            probes.name, probes.fields,
+            probes.interval > 0 ? fmt::format("runTime; writeInterval {:.9g}", probes.interval)
+                                : "timeStep; writeInterval 1");
         for (const Vec2& p : probes.points) text += "            " + foam_vector(p, 0.5 * foam_layer) + "\n";
         text += "        );\n    }\n";
     }
@@ -190,8 +192,8 @@ std::string solution(const FoamCase& wanted) {
                "20; }}\n}}\n"
                "PIMPLE\n{{\n    momentumPredictor no;\n    transonic no;\n    nOuterCorrectors 1;\n    "
                "nCorrectors 3;\n"
-               "    nNonOrthogonalCorrectors 0;\n{}}}\n",
-               wanted.compressible ? "GaussSeidel" : "DIC", reference);
+               "    nNonOrthogonalCorrectors {};\n{}}}\n",
+               wanted.compressible ? "GaussSeidel" : "DIC", wanted.slanted_correctors, reference);
 }
 
 std::string script(const FoamCase& wanted) {
@@ -219,6 +221,7 @@ std::map<std::string, std::string> foam_files(const FoamCase& wanted, double lay
     files["system/fvSchemes"] = schemes();
     files["system/fvSolution"] = solution(wanted);
     files["run.sh"] = script(wanted);
+    if (!wanted.geometry.empty()) files["section.geo"] = wanted.geometry;
     return files;
 }
 

@@ -25,12 +25,16 @@ struct FoamProbes {
     std::string name;
     std::string fields;  ///< "p", "alpha.water"
     std::vector<Vec2> points;
+    double interval = 0;  ///< between two rows [s]; 0: every step
 };
 
 /// A case. Patches of the mesh: `walls` and `body` (slip), `symmetry`, `inflow` (water at the stream's
 /// velocity), `far` (water and air leave at the stream's velocity), `atmosphere`.
 struct FoamCase {
     PlaneMesh mesh;
+    std::string geometry;        ///< from which gmsh has made the mesh, or empty
+    int slanted_correctors = 0;  ///< repeated pressure solutions of a step, for faces not square to the line
+                                 ///< between their cells
     bool compressible = false;
     FoamPhase water, air;
     double air_pressure = 0;        ///< of both at rest, compressible, absolute [Pa]
@@ -41,6 +45,7 @@ struct FoamCase {
     std::optional<Vec2> reference;  ///< of a closed tank: where the pressure is 0 [m]
     std::vector<FoamProbes> probes;
     bool has_body = false;
+    Vec2 moment_centre = Vec2::Zero();                          ///< of the moment on the body [m]
     double end_time = 0, largest_step = 0, field_interval = 0;  ///< [s]
     double courant_number = 0.4;                                ///< largest, of flow and surface
 

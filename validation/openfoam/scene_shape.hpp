@@ -11,11 +11,19 @@ namespace wetdeck {
 
 /// The body of a scene that OpenFOAM computes at rest in a stream.
 struct FoamBody {
-    std::optional<double> deadrise;  ///< of a wedge [rad]; none: a rectangle with a flat bottom
-    Box extent;                      ///< [m]
-    Vec2 keel = Vec2::Zero();        ///< middle of the lowest side, or the corner [m]
-    double side = 0;                 ///< length of a side from the keel [m]
-    double speed = 0;                ///< downwards, constant [m/s]
+    enum class Shape {
+        plate,   ///< a rectangle with a flat bottom, in the middle of the tank
+        wedge,   ///< upright, its sides straight up to its beam, in the middle of the tank
+        section  ///< any other
+    };
+    Shape shape = Shape::section;
+    double deadrise = 0;       ///< of a wedge [rad]
+    double side = 0;           ///< of a wedge: length of a side from the keel [m]
+    Box extent;                ///< [m]
+    Vec2 keel = Vec2::Zero();  ///< middle of the lowest side, or the lowest corner [m]
+    double speed = 0;          ///< downwards, constant [m/s]
+    bool flat = false;         ///< a section whose bottom is flatter than 4 degrees over a tenth of the beam
+    bool hollow = false;       ///< a section whose underside shuts in air
 };
 
 /// None: a closed tank without bodies. Throws InputError in one line for a scene that fits no mesh.

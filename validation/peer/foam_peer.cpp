@@ -3,6 +3,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "validation/peer/foam_run.hpp"
 #include "validation/peer/foam_series.hpp"
 #include "validation/store/atomic_write.hpp"
+#include "validation/store/directory_lock.hpp"
 
 namespace wetdeck {
 namespace {
@@ -32,6 +34,11 @@ std::string version_of(const fs::path& folder) {
     return "of unknown version";
 }
 
+/// Where the columns of a profile lie.
+std::string profile_note(const Series& series) {
+    return fmt::format("one column for each place [m]: {:.6g}", fmt::join(series.abscissa, " "));
+}
+
 /// Writes CURVES/SERIES.csv of the finest mesh in the form of a reference.
 void write_curve(const fs::path& file, const std::string& code, const RunRecord& record,
                  const std::string& name) {
@@ -43,12 +50,20 @@ void write_curve(const fs::path& file, const std::string& code, const RunRecord&
         "digitisation_error: none\n"
         "# u_data: unknown\n# u_data_source: peer.json has the spread over the meshes\n# sensor: {}\n# "
         "filter: none\n"
-        "# sign: as the series of wetdeck\n# time_origin: clock of the scene\n# note: nothing left out\nt "
-        "[s],{} [{}]\n",
+        "# sign: as the series of wetdeck\n# time_origin: clock of the scene\n# note: {}\nt [s]",
         code, record.scene, record.variant, record.particle_spacing, fmt::localtime(std::time(nullptr)),
-        series.description.empty() ? name : series.description, name, series.unit);
-    for (std::size_t k = 0; k < series.time.size(); ++k)
-        text += fmt::format("{:.12g},{:.10g}\n", series.time[k], series.value[k]);
+        series.description.empty() ? name : series.description,
+        series.abscissa.empty() ? "nothing left out" : profile_note(series));
+    const std::size_t columns = series.columns();
+    for (std::size_t c = 0; c < columns; ++c)
+        text += series.abscissa.empty() ? fmt::format(",{} [{}]", name, series.unit)
+                                        : fmt::format(",{}_{} [{}]", name, c + 1, series.unit);
+    for (std::size_t k = 0; k < series.time.size(); ++k) {
+        text += fmt::format("\n{:.12g}", series.time[k]);
+        for (std::size_t c = 0; c < columns; ++c)
+            text += fmt::format(",{:.10g}", series.value[k * columns + c]);
+    }
+    text += "\n";
     make_directories(file.parent_path());
     atomic_write(file, text);
 }
@@ -60,6 +75,8 @@ PeerResult run_foam_peer(const Scene& scene, const fs::path& directory, const Fo
     for (const double cell : options.cells) cases.push_back(scene_case(scene, cell, options.until));
     check_solver(cases.front().foam.solver());
     make_directories(directory);
+    // a solver of an earlier call that was killed ends within a second
+    const DirectoryLock lock(directory, std::chrono::seconds(15), DirectoryLock::Holder::with_children);
     const bool sound = slanted_cells_are_sound(directory / "self_test");
     for (const SceneCase& written : cases) check_cells(written, sound);
     const auto start = Clock::now();

@@ -2,6 +2,7 @@
 #include "validation/peer/foam_run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -29,6 +30,15 @@ constexpr int test_cells = 12, test_steps = 20;
 
 std::string text_of(const fs::path& file) {
     return fs::is_regular_file(file) ? read_whole_file(file) : std::string();
+}
+
+/// Runs a command for at most a wall time [s]. It ends with this process, even where that is killed: else the
+/// solver would go on writing into the folder.
+ShellResult run_watched(const std::string& command, double limit) {
+    return run_in_shell(
+        fmt::format("timeout -k 5 {:.0f} {} & job=$!; (while [ -d /proc/{} ]; do sleep 0.5; done; kill $job) "
+                    ">/dev/null 2>&1 & watch=$!; wait $job; status=$?; kill $watch; exit $status",
+                    std::max(1.0, std::ceil(limit)), command, ::getpid()));
 }
 
 /// A step of water in a sheared box.
@@ -69,7 +79,7 @@ double speed_in_layer(const fs::path& folder, double thickness) {
         make_directories((folder / name).parent_path());
         atomic_write(folder / name, text);
     }
-    const ShellResult result = run_in_shell("timeout 60 sh " + shell_quoted((folder / "run.sh").string()));
+    const ShellResult result = run_watched("sh " + shell_quoted((folder / "run.sh").string()), 60);
     if (!result.succeeded()) return std::nan("");
     double last = 0;
     fs::path found;
@@ -107,9 +117,8 @@ void run_case(const fs::path& folder, const Scene& scene, const SceneCase& writt
     write_case(folder, scene, written, true);
     const fs::path log = folder / ("log." + written.foam.solver());
     Progress progress(fmt::format("{} {:.4g} m", written.foam.solver(), written.cell));
-    const std::string command = fmt::format("timeout -k 5 {:.0f} {}", std::max(1.0, std::ceil(limit)),
-                                            shell_quoted((folder / "run.sh").string()));
-    auto running = std::async(std::launch::async, [command] { return run_in_shell(command); });
+    const std::string command = shell_quoted((folder / "run.sh").string());
+    auto running = std::async(std::launch::async, [command, limit] { return run_watched(command, limit); });
     while (running.wait_for(std::chrono::seconds(1)) != std::future_status::ready) {
         const double time = last_time_in(text_of(log));
         progress.update(time / written.foam.end_time,

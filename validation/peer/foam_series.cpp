@@ -21,16 +21,36 @@ CodeRecord record_of(const fs::path& folder, const std::string& object) {
 }
 
 Series gauge_series(const FoamGauge& gauge, const CodeRecord& record, double atmosphere) {
-    Series series{gauge.unit, gauge.description, {}, {}, {}};
+    Series series{gauge.unit, gauge.description, {}, {}, gauge.abscissa};
+    const double datum = gauge.unit == "Pa" ? atmosphere : 0;
     for (std::size_t row = 0; row < record.time.size(); ++row) {
         std::vector<double> probes;
         for (const RecordColumn& column : record.columns) probes.push_back(column.values[row]);
-        const double value = gauge_value(gauge, probes);
-        if (std::isnan(value)) continue;
+        const std::vector<double> values = gauge_values(gauge, probes, record.time[row]);
+        if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) continue;
         series.time.push_back(record.time[row]);
-        series.value.push_back(gauge.kind == FoamGauge::Kind::pressure ? value - atmosphere : value);
+        for (const double value : values) series.value.push_back(value - datum);
     }
     return series;
+}
+
+/// Along each ray, the place at which the share of water first rises to a half; NaN where it does not.
+std::vector<double> first_water(const FoamGauge& gauge, const std::vector<double>& shares) {
+    std::vector<double> found;
+    std::size_t begin = 0;
+    for (const std::size_t count : gauge.rays) {
+        double place = std::nan("");
+        for (std::size_t k = begin; k < begin + count && std::isnan(place); ++k) {
+            if (shares[k] < 0.5) continue;
+            place = gauge.places[k];
+            if (k == begin) continue;
+            const double part = (0.5 - shares[k - 1]) / (shares[k] - shares[k - 1]);
+            place = gauge.places[k - 1] + part * (gauge.places[k] - gauge.places[k - 1]);
+        }
+        found.push_back(place);
+        begin += count;
+    }
+    return found;
 }
 
 /// Where the share of water falls through a half for the last time along the row.
@@ -47,12 +67,22 @@ double front_in(const FoamGauge& gauge, const std::vector<double>& shares) {
 void add_body(const Scene& scene, const SceneCase& written, const fs::path& folder,
               std::map<std::string, Series>& all) {
     const CodeRecord record = record_of(folder, "body");
-    const auto found = std::find_if(record.columns.begin(), record.columns.end(),
-                                    [](const RecordColumn& c) { return c.name == "force_y"; });
-    if (found == record.columns.end())
-        throw DataError(fmt::format("{}: holds no force", (folder / "postProcessing/body").string()));
-    Series force{"N/m", "force of the fluid, up", record.time, found->values, {}};
-    for (double& value : force.value) value *= written.force_factor / foam_layer;
+    const auto load = [&](const char* column, const char* unit, const char* description) {
+        const auto found = std::find_if(record.columns.begin(), record.columns.end(),
+                                        [&](const RecordColumn& c) { return c.name == column; });
+        if (found == record.columns.end())
+            throw DataError(
+                fmt::format("{}: holds no {}", (folder / "postProcessing/body").string(), column));
+        Series series{unit, description, record.time, found->values, {}};
+        for (double& value : series.value) value *= written.force_factor / foam_layer;
+        return series;
+    };
+    Series force = load("force_y", "N/m", "force of the fluid, up");
+    if (written.force_factor == 1) {  // of half a body they are no loads of the whole
+        all["body_force_x"] = load("force_x", "N/m", "force of the fluid, to the right");
+        all["body_torque"] =
+            load("moment_z", "N", "moment of the fluid about the mass centre, anticlockwise");
+    }
     const std::vector<double>& t = force.time;
     Series impulse{"N s/m", "impulse of the fluid, up", t, {0}, {}};
     for (std::size_t k = 1; k < t.size(); ++k)
@@ -83,16 +113,34 @@ void add_body(const Scene& scene, const SceneCase& written, const fs::path& fold
 
 }  // namespace
 
-double gauge_value(const FoamGauge& gauge, const std::vector<double>& probes) {
-    if (probes.size() != gauge.weights.size())
-        throw DataError(
-            fmt::format("{} has {} probes, expected {}", gauge.object, probes.size(), gauge.weights.size()));
+std::vector<double> gauge_values(const FoamGauge& gauge, const std::vector<double>& probes, double time) {
+    const std::size_t expected = gauge.rays.empty() ? gauge.weights.size() : gauge.places.size();
+    if (probes.size() != expected)
+        throw DataError(fmt::format("{} has {} probes, expected {}", gauge.object, probes.size(), expected));
     if (std::any_of(probes.begin(), probes.end(), [](double v) { return std::isnan(v); }))
-        return std::nan("");
-    if (gauge.kind == FoamGauge::Kind::front) return front_in(gauge, probes);
+        return std::vector<double>(gauge.columns(), std::nan(""));
+    switch (gauge.kind) {
+        case FoamGauge::Kind::front:
+            return {front_in(gauge, probes)};
+        case FoamGauge::Kind::profile:
+            return probes;
+        case FoamGauge::Kind::film: {
+            double least = std::nan("");
+            for (const double distance : first_water(gauge, probes)) least = std::fmin(least, distance);
+            return {least};
+        }
+        case FoamGauge::Kind::surface: {
+            std::vector<double> heights = first_water(gauge, probes);
+            for (double& height : heights) height -= gauge.rise * time;
+            return heights;
+        }
+        case FoamGauge::Kind::depth:
+        case FoamGauge::Kind::pressure:
+            break;
+    }
     double sum = 0;
     for (std::size_t k = 0; k < probes.size(); ++k) sum += gauge.weights[k] * probes[k];
-    return sum;
+    return {sum};
 }
 
 RunRecord foam_record(const Scene& scene, const SceneCase& written, const fs::path& folder) {

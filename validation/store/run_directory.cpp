@@ -2,10 +2,7 @@
 // Claiming, recognising and clearing run directories.
 #include "validation/store/run_directory.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
@@ -74,37 +71,8 @@ RunDirectory::RunDirectory(std::filesystem::path directory, const std::string& i
                            OnConflict on_conflict, std::chrono::milliseconds patience)
     : path_(std::move(directory)) {
     make_directories(path_);
-    lock(patience);
-    try {
-        claim(identity, on_conflict);
-    } catch (...) {  // no destructor runs for a constructor that throws
-        ::close(lock_);
-        throw;
-    }
-}
-
-RunDirectory::~RunDirectory() {
-    ::close(lock_);
-}
-
-void RunDirectory::lock(std::chrono::milliseconds patience) {
-    const std::filesystem::path file = path_ / ".lock";
-    lock_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock_ < 0) throw environment_error(path_, "write in the directory", errno);
-    const auto end = std::chrono::steady_clock::now() + patience;
-    int result = ::flock(lock_, LOCK_EX | LOCK_NB);
-    while (result != 0 && errno == EWOULDBLOCK && std::chrono::steady_clock::now() < end) {
-        ::usleep(20'000);
-        result = ::flock(lock_, LOCK_EX | LOCK_NB);
-    }
-    if (result == 0) return;
-    const int error = errno;
-    ::close(lock_);
-    if (error == EWOULDBLOCK) {
-        throw EnvironmentError(
-            path_.string() + ": another process is working in this directory; wait for it or choose another");
-    }
-    throw environment_error(path_, "lock the directory", error);
+    lock_.emplace(path_, patience, DirectoryLock::Holder::this_process);
+    claim(identity, on_conflict);
 }
 
 void RunDirectory::claim(const std::string& identity, OnConflict on_conflict) const {

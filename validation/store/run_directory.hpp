@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A run's directory: who may write in it, and which run it belongs to.
 //
-// DIR/.lock is locked for as long as a process works in DIR; the system releases the lock when the process
-// ends, however it ends. DIR/identity holds one line that tells runs apart.
+// DIR/.lock is locked for as long as a process works in DIR (directory_lock.hpp). DIR/identity holds one line
+// that tells runs apart.
 #pragma once
 
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
+
+#include "validation/store/directory_lock.hpp"
 
 namespace wetdeck {
 
@@ -38,18 +40,16 @@ class RunDirectory {
     /// and goes on doing so for longer than `patience`.
     RunDirectory(std::filesystem::path directory, const std::string& identity,
                  OnConflict on_conflict = OnConflict::refuse, std::chrono::milliseconds patience = {});
-    ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;
     RunDirectory& operator=(const RunDirectory&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    void lock(std::chrono::milliseconds patience);
     void claim(const std::string& identity, OnConflict on_conflict) const;
 
     std::filesystem::path path_;
-    int lock_ = -1;
+    std::optional<DirectoryLock> lock_;
 };
 
 }  // namespace wetdeck

@@ -81,17 +81,62 @@ TEST_CASE("The agreement is that of the finest values; runs of other variants an
     CHECK(rows[0].against == "OpenFOAM v1912, interFoam");
 }
 
+namespace {
+
+FoamGauge gauge_of(FoamGauge::Kind kind, const std::vector<double>& places,
+                   const std::vector<double>& weights) {
+    FoamGauge gauge;
+    gauge.kind = kind;
+    gauge.object = "gauge";
+    gauge.places = places;
+    gauge.weights = weights;
+    return gauge;
+}
+
+double value_of(const FoamGauge& gauge, const std::vector<double>& probes) {
+    const std::vector<double> values = gauge_values(gauge, probes, 0);
+    REQUIRE(values.size() == 1);
+    return values[0];
+}
+
+}  // namespace
+
 TEST_CASE("Gauges: the front between cells, the depth of a column, the mean of a disc") {
-    FoamGauge front{FoamGauge::Kind::front, "front", "m", "", "gauge_front", {0.5, 1.5, 2.5}, {1, 1, 1}};
-    CHECK(gauge_value(front, {1, 0.75, 0.25}) == Approx(2.0));
-    CHECK(gauge_value(front, {1, 1, 1}) == Approx(3.0));
-    CHECK(gauge_value(front, {0.6, 0, 0.9}) == Approx(3.0));
-    FoamGauge depth{FoamGauge::Kind::depth, "level", "m", "", "gauge_level", {}, {0.1, 0.1, 0.2}};
-    CHECK(gauge_value(depth, {1, 0.5, 0.25}) == Approx(0.2));
-    FoamGauge pressure{FoamGauge::Kind::pressure, "p", "Pa", "", "gauge_p", {}, {0.25, 0.5, 0.25}};
-    CHECK(gauge_value(pressure, {1, 2, 5}) == Approx(2.5));
-    CHECK(std::isnan(gauge_value(pressure, {1, std::nan(""), 5})));
-    CHECK_THROWS(gauge_value(pressure, {1, 2}));
+    const FoamGauge front = gauge_of(FoamGauge::Kind::front, {0.5, 1.5, 2.5}, {1, 1, 1});
+    CHECK(value_of(front, {1, 0.75, 0.25}) == Approx(2.0));
+    CHECK(value_of(front, {1, 1, 1}) == Approx(3.0));
+    CHECK(value_of(front, {0.6, 0, 0.9}) == Approx(3.0));
+    const FoamGauge depth = gauge_of(FoamGauge::Kind::depth, {}, {0.1, 0.1, 0.2});
+    CHECK(value_of(depth, {1, 0.5, 0.25}) == Approx(0.2));
+    const FoamGauge pressure = gauge_of(FoamGauge::Kind::pressure, {}, {0.25, 0.5, 0.25});
+    CHECK(value_of(pressure, {1, 2, 5}) == Approx(2.5));
+    CHECK(std::isnan(value_of(pressure, {1, std::nan(""), 5})));
+    CHECK_THROWS(gauge_values(pressure, {1, 2}, 0));
+}
+
+TEST_CASE("Gauges: a film is the least gap of its rays, whether or not each of them meets water") {
+    FoamGauge film = gauge_of(FoamGauge::Kind::film, {0.5, 1.5, 2.5, 0.5, 1.5}, {});
+    film.rays = {3, 2};
+    CHECK(value_of(film, {0, 0.25, 0.75, 0, 0}) == Approx(2.0));
+    CHECK(value_of(film, {0, 0.25, 0.75, 0, 1}) == Approx(1.0));
+    CHECK(value_of(film, {0.5, 0, 0, 0, 0}) == Approx(0.5));
+    CHECK(std::isnan(value_of(film, {0, 0, 0, 0, 0})));
+    CHECK_THROWS(gauge_values(film, {0, 0, 0, 0}, 0));
+}
+
+TEST_CASE(
+    "Gauges: a surface is the first water from above, in the frame of the scene; a profile has all probes") {
+    FoamGauge surface = gauge_of(FoamGauge::Kind::surface, {3, 2, 1, 3, 1}, {});
+    surface.rays = {3, 2};
+    surface.abscissa = {0.1, 0.2};
+    surface.rise = 5;
+    // spray above the surface counts; the body has come down by 0.5 m
+    CHECK(gauge_values(surface, {0, 1, 0, 0.25, 0.75}, 0.1) == std::vector<double>{2.5 - 0.5, 2 - 0.5});
+    FoamGauge profile = gauge_of(FoamGauge::Kind::profile, {}, {1, 1});
+    profile.abscissa = {0.1, 0.2};
+    CHECK(gauge_values(profile, {7, 8}, 0.1) == std::vector<double>{7, 8});
+    CHECK(gauge_values(profile, {7, std::nan("")}, 0.1).size() == 2);
+    CHECK_THROWS(gauge_values(profile, {7}, 0.1));
 }
 
 TEST_CASE("The time of a log is that of its last step") {
