@@ -21,11 +21,11 @@ struct DensityUpdate {
     const double* mass = nullptr;  ///< [kg/m]
     MixedFluid* mixed = nullptr;   ///< is kept up where there is one
     std::size_t first = 0, last = 0;
-    double dt = 0;        ///< [s]
-    bool graded = false;  ///< particles differ in their spacings
+    double dt = 0;  ///< [s]
     TaitEquationOfState eos;
     DensityBounds bounds;
     int threads = 1;
+    bool graded = false;  ///< particles differ in their spacings
 };
 
 /// The passes of one model, compiled for one instruction set: the ingredients are chosen here, outside the

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The keys of given motions, springs, solids, planes of symmetry and differing spacings, in the form of scene_keys.cpp.
+// The keys of given motions, springs, solids, planes of symmetry and differing spacings, in the form of
+// scene_keys.cpp.
 #pragma once
 
 namespace wetdeck {

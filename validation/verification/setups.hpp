@@ -33,8 +33,8 @@ struct Setup : SimulationSetup {
     void fill(Phase phase, Box box);
     /// Adds fluid between a box and the sides of the domain.
     void fill_around(Phase phase, Box box);
-    /// Fills a tank with water up to a level, with spacings that grow as `grading` says, and gives it its walls.
-    /// The rest of the tank is dry.
+    /// Fills a tank with water up to a level, with spacings that grow as `grading` says, and gives it its
+    /// walls. The rest of the tank is dry.
     void fill_graded(double level, const Grading& grading);
     /// Sets the water turning about the origin as a rigid body [1/s].
     void spin_water(double rotation);
