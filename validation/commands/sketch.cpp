@@ -88,12 +88,11 @@ void draw_resolution(Drawing& drawing, const Scene& scene, Key& key) {
     if (!scene.resolution) return;
     const Resolution& r = *scene.resolution;
     drawing.polygon(corners_of(r.box), "", finest_edge);
-    std::string entry = fmt::format(
-        "particles are finest in the dashed box and grow by {:.3g} % from one to the next "
-        "up to {:.3g} times",
-        100 * r.growth, r.coarsest);
+    std::string entry =
+        fmt::format("finest particles in the dotted box, growing by {:.3g} % each, up to {:.3g} times",
+                    100 * r.growth, r.coarsest);
     if (const std::optional<double> finest = r.finest ? r.finest : finest_of_tiers(scene)) {
-        entry += fmt::format("; thin lines: twice, four times, ... at {:.3g} m", *finest);
+        entry += fmt::format("; thin: 2, 4, ... times at {:.3g} m", *finest);
         for (double ratio = 2; ratio <= r.coarsest; ratio *= 2) {
             const Vec2 margin = Vec2::Constant((ratio - 1) * *finest / r.growth);
             drawing.polygon(corners_of({(r.box.low - margin).cwiseMax(scene.tank.low),

@@ -13,6 +13,7 @@ FieldFrame frame_of(const Simulation& simulation, const std::string& provenance)
     frame.provenance = provenance;
     for (auto* values : {&frame.x, &frame.y, &frame.vx, &frame.vy, &frame.pressure, &frame.density})
         values->resize(count);
+    if (simulation.graded()) frame.spacing.resize(count);
     frame.phase.resize(count);
     frame.id.resize(count);
     const auto put = [&frame](std::size_t id, const auto& particle, double pressure, double density,
@@ -30,12 +31,16 @@ FieldFrame frame_of(const Simulation& simulation, const std::string& provenance)
     for (std::size_t i = 0; i < fluid.size(); ++i) {
         const FluidState& p = fluid.state[i];
         put(fluid.id[i], p, p.pressure - background, p.density, static_cast<int>(fluid.phase(i)));
+        if (simulation.graded()) frame.spacing[fluid.id[i]] = static_cast<float>(simulation.spacing_of(p));
     }
     const double rho0 = simulation.model().water.eos.reference_density;
     for (std::size_t i = 0; i < walls.size(); ++i) {
         const bool fixed = i < walls.fixed;
         const int phase = fixed ? wall : wall + 1 + static_cast<int>(walls.body_point[i].body);
-        put(fluid.size() + walls.id[i], walls.state[i], 0, rho0, phase);
+        const std::size_t id = fluid.size() + walls.id[i];
+        put(id, walls.state[i], 0, rho0, phase);
+        if (simulation.graded())
+            frame.spacing[id] = static_cast<float>(simulation.particle_spacing() / walls.fineness[i]);
     }
     return frame;
 }

@@ -53,6 +53,10 @@ void record_parameters(RunRecord& record, Scene scene, const Simulation& simulat
     numbers["gravity_x"] = scene.model.gravity.x();
     numbers["gravity_y"] = scene.model.gravity.y();
     numbers["particle_spacing"] = record.particle_spacing;
+    if (scene.resolution) {
+        numbers["resolution.growth"] = scene.resolution->growth;
+        numbers["resolution.coarsest"] = scene.resolution->coarsest;
+    }
     numbers["smoothing_length"] = simulation.kernel().smoothing_length;
     numbers["run.end_time"] = scene.end_time;
     numbers["scheme_revision"] = scheme_revision;

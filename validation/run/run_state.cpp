@@ -21,6 +21,7 @@ void for_each_column(Frame& frame, const Visit& visit) {
     visit("vy", frame.vy);
     visit("pressure", frame.pressure);
     visit("density", frame.density);
+    if (!frame.spacing.empty()) visit("spacing", frame.spacing);
     visit("phase", frame.phase);
     visit("id", frame.id);
 }
@@ -85,6 +86,7 @@ void save_frame(Checkpoint& checkpoint, const FieldFrame& frame) {
 FieldFrame frame_in(const Checkpoint& checkpoint) {
     FieldFrame frame;
     frame.time = checkpoint.number(frame_prefix + "time");
+    if (checkpoint.arrays.count(frame_prefix + "spacing") > 0) frame.spacing.resize(1);  // to be read
     for_each_column(frame, [&](const char* name, auto& values) {
         values.clear();
         for (const double stored : checkpoint.array(frame_prefix + name))

@@ -52,6 +52,11 @@ json parameters_json(const Scene& scene) {
     json parameters = {{"gravity_x", scene.model.gravity.x()}, {"gravity_y", scene.model.gravity.y()}};
     for (const auto& [key, value] : parameters_of(scene))
         std::visit([&parameters, &name = key](const auto& v) { parameters[name] = v; }, value);
+    if (const auto& resolution = scene.resolution) {
+        parameters["resolution.around"] = boxes_json({resolution->box}).at(0);
+        parameters["resolution.growth"] = resolution->growth;
+        parameters["resolution.coarsest"] = resolution->coarsest;
+    }
     return parameters;
 }
 
@@ -79,11 +84,6 @@ json setup_json(const Scene& scene) {
                   {"force_filter", scene.force_filter},
                   {"frame_times", scene.frame_times}};
     if (scene.symmetry) setup["symmetry"] = *scene.symmetry;
-    if (scene.resolution) {
-        const Resolution& r = *scene.resolution;
-        setup["resolution"] = {
-            {"around", boxes_json({r.box})}, {"growth", r.growth}, {"coarsest", r.coarsest}};
-    }
     if (!scene.tank_guide.empty()) setup["tank_motion"] = scene.tank_guide;
     if (!scene.water_velocities.empty()) {
         setup["water_velocities"] = json::array();

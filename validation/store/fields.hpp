@@ -15,11 +15,12 @@
 namespace wetdeck {
 
 /// All particles at one time, SI, in the precision of a picture: half the bytes and half the time to write
-/// them. All vectors have the same length.
+/// them. All vectors have the same length, but that of the spacings, which is empty where all are equal.
 struct FieldFrame {
     double time = 0;  ///< [s]
     std::vector<float> x, y, vx, vy, pressure, density;
-    std::vector<int> phase;  ///< 0 water, 1 air, 2 wall, 3 and above: bodies
+    std::vector<float> spacing;  ///< that each particle was laid at [m]
+    std::vector<int> phase;      ///< 0 water, 1 air, 2 wall, 3 and above: bodies
     std::vector<std::int64_t> id;
     std::string provenance;  ///< one line: which run of which program; empty: none is written
 };

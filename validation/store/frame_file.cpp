@@ -58,7 +58,8 @@ void require_equal_lengths(const FieldFrame& frame) {
     for (const auto* values : {&frame.y, &frame.vx, &frame.vy, &frame.pressure, &frame.density}) {
         if (values->size() != n) throw DataError("field frame: its vectors differ in length");
     }
-    if (frame.phase.size() != n || frame.id.size() != n) {
+    const bool spacings_fit = frame.spacing.empty() || frame.spacing.size() == n;
+    if (frame.phase.size() != n || frame.id.size() != n || !spacings_fit) {
         throw DataError("field frame: its vectors differ in length");
     }
 }
@@ -136,6 +137,7 @@ std::string vtp_bytes(const FieldFrame& frame) {
     add_geometry(data, frame);
     add_array<vtkFloatArray>(data, "pressure", frame.pressure);
     add_array<vtkFloatArray>(data, "density", frame.density);
+    if (!frame.spacing.empty()) add_array<vtkFloatArray>(data, "spacing", frame.spacing);
     add_array<vtkIntArray>(data, "phase", frame.phase);
     add_array<vtkTypeInt64Array>(data, "id", frame.id);
     data->GetPointData()->SetActiveScalars("pressure");  // the array by which ParaView colours at first
@@ -192,6 +194,7 @@ FieldFrame read_frame(const std::filesystem::path& path) {
     read_points(data, frame, path);
     frame.pressure = read_floats(data, "pressure", path);
     frame.density = read_floats(data, "density", path);
+    if (data->GetPointData()->HasArray("spacing") != 0) frame.spacing = read_floats(data, "spacing", path);
     frame.phase = read_integers<int>(data, "phase", path);
     frame.id = read_integers<std::int64_t>(data, "id", path);
     return frame;

@@ -45,10 +45,11 @@ class Canvas {
           options_(options),
           pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), background) {}
 
-    void disc(double x, double y, const Rgb& colour) {
+    /// @param size  of the particle over the finest
+    void disc(double x, double y, double size, const Rgb& colour) {
         const double centre_x = (x - options_.x_min) * scale_ - 0.5;
         const double centre_y = (y - options_.y_min) * scale_ - 0.5;
-        const double radius = std::max(options_.particle_radius * scale_, 0.5);
+        const double radius = std::max(size * options_.particle_radius * scale_, 0.5);
         if (!(std::abs(centre_x) < 2.0 * largest_side * supersampling &&
               std::abs(centre_y) < 2.0 * largest_side * supersampling)) {
             return;  // far outside, or not a number
@@ -187,9 +188,13 @@ std::vector<unsigned char> render_png(const FieldFrame& frame, const RasterOptio
     const auto layer_of = [&](std::size_t i) {
         return frame.phase[i] == 1 ? 0 : frame.phase[i] == 0 ? 1 : 2;
     };
+    const double finest =
+        frame.spacing.empty() ? 1 : *std::min_element(frame.spacing.begin(), frame.spacing.end());
+    const auto size = [&](std::size_t i) { return frame.spacing.empty() ? 1 : frame.spacing[i] / finest; };
     for (const int layer : {0, 1, 2}) {
         for (std::size_t i = 0; i < frame.x.size(); ++i) {
-            if (layer_of(i) == layer) canvas.disc(frame.x[i], frame.y[i], colour_of(frame, i, options));
+            if (layer_of(i) == layer)
+                canvas.disc(frame.x[i], frame.y[i], size(i), colour_of(frame, i, options));
         }
     }
     return encode(canvas, options.width, height);

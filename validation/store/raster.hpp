@@ -23,7 +23,7 @@ enum class WaterScalar { pressure, speed };
 struct RasterOptions {
     int width = 1200;                                   ///< [pixels]; the height follows from the box
     double x_min = 0, x_max = 1, y_min = 0, y_max = 1;  ///< what is shown [m]
-    double particle_radius = 0;                         ///< [m]; 0.75 spacings leave no gaps
+    double particle_radius = 0;  ///< of the finest particles [m]; 0.75 spacings leave no gaps
     WaterScalar water = WaterScalar::pressure;
     double water_min = 0, water_max = 1;  ///< ends of the colour map [Pa] or [m/s]
     std::optional<double> air_speed_max;  ///< [m/s]; absent: air is light grey

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // [resolution] in scene files: what it makes of a scene, and what is refused.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/unit/scene/scene_samples.hpp"
 #include "validation/run/assemble.hpp"
+#include "validation/run/field_frame.hpp"
 #include "validation/scene/identity.hpp"
 #include "validation/scene/ingredients.hpp"
 #include "validation/scene/resolution_section.hpp"
@@ -70,6 +72,12 @@ TEST_CASE("a graded scene has fewer particles, the same masses, and each its fin
     CHECK(mass(coarse) == Approx(mass(fine)).epsilon(1e-5));
     CHECK(estimate_cost(graded, 0.01).fluid_particles == static_cast<double>(coarse.fluid().size()));
     CHECK(setup_identity(graded) != setup_identity(equal));
+    CHECK(parameters_json(graded).at("resolution.coarsest") == 4);
+    CHECK_FALSE(parameters_json(equal).contains("resolution.coarsest"));
+    const FieldFrame frame = frame_of(coarse, "");
+    REQUIRE(frame.spacing.size() == frame.x.size());
+    CHECK(*std::max_element(frame.spacing.begin(), frame.spacing.end()) > 0.025F);
+    CHECK(frame_of(fine, "").spacing.empty());
 }
 
 TEST_CASE("with a coarsest spacing of once the finest all spacings are equal", "[resolution][scene]") {

@@ -32,6 +32,19 @@ TEST_CASE("a frame comes back bit for bit", "[store][fields]") {
     REQUIRE(samples::same(read_frame(folder / "fields/frame_000000.vtp"), frame));
 }
 
+TEST_CASE("spacings that differ come back, and of equal ones nothing is written", "[store][fields]") {
+    const ScratchFolder folder;
+    FieldFrame frame = samples::frame(1);
+    for (std::size_t i = 0; i < frame.x.size(); ++i)
+        frame.spacing.push_back(0.01F * static_cast<float>(i % 5 + 1));
+    FieldWriter(folder / "graded").write(frame);
+    CHECK(read_frame(folder / "graded/fields/frame_000000.vtp").spacing == frame.spacing);
+    FieldWriter(folder / "equal").write(samples::frame(1));
+    CHECK(read_frame(folder / "equal/fields/frame_000000.vtp").spacing.empty());
+    frame.spacing.pop_back();
+    CHECK_THROWS_AS(FieldWriter(folder / "wrong").write(frame), DataError);
+}
+
 TEST_CASE("a frame without particles comes back", "[store][fields]") {
     const ScratchFolder folder;
     FieldWriter(folder).write(samples::frame(1, 0));

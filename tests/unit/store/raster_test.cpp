@@ -73,6 +73,17 @@ const Rgb white{255, 255, 255};
 
 }  // namespace
 
+TEST_CASE("a coarse particle is drawn as large as it is", "[store][raster]") {
+    FieldFrame frame = particles({{0.5, 0.5}, {1.5, 0.5}}, {0, 0});
+    frame.spacing = {0.1F, 0.4F};
+    Picture picture(frame, two_by_one());
+    const Rgb nothing = picture.at(100, 2);
+    CHECK(picture.at(50, 50) != nothing);
+    CHECK(picture.at(50, 70) == nothing);  // 0.2 m from the fine one
+    CHECK(picture.at(150, 70) != nothing);
+    CHECK(picture.at(150, 95) == nothing);
+}
+
 TEST_CASE("a picture has the size of its box, and a particle lies where it is", "[store][raster]") {
     Picture picture(particles({{0.5, 0.25}}, {0}), two_by_one());
     REQUIRE(picture.width() == 200);
