@@ -2,6 +2,7 @@
 // [resolution] in scene files: what it makes of a scene, and what is refused.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "tests/unit/scene/scene_samples.hpp"
 #include "validation/run/assemble.hpp"
