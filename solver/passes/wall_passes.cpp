@@ -29,7 +29,8 @@ void wall_means(const PassInput& in) {
             const Pack behind = s.x * w.nx + s.y * w.ny;
             Pack weight = select(behind > 0.0, 0.0, kernels.with(f).shape(s.distance));
             kernel_sum += f.volume * weight;
-            if constexpr (graded) weight = f.volume * weight;
+            if constexpr (graded)
+                weight = 1 / (f.fineness * f.fineness) * weight;  // by the area it was laid on
             pressure_sum += weight * (f.pressure - f.density * (w.relative_x * s.x + w.relative_y * s.y));
             weight_sum += weight;
             vx_sum += weight * f.vx;

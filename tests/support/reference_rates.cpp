@@ -182,7 +182,7 @@ WallMean shepard_mean(const WallState& wall, double own_length, double own_sum, 
         const Vec2 offset = p.position() - place(wall);
         if (offset.dot(normal(wall)) < 0) continue;  // belongs to the other side of a thin body
         const double kernel = Lengths::kernel(own_length, lengths.of(p)).value(offset.norm());
-        const double w = lengths.graded ? kernel * p.volume : kernel;
+        const double w = lengths.graded ? kernel / (p.fineness * p.fineness) : kernel;
         pressure +=
             w * one_sided_pressure(p.pressure, p.density, offset.x(), offset.y(), drive.x(), drive.y());
         velocity += w * p.velocity();
