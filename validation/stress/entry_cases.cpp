@@ -54,6 +54,33 @@ Setting film(double spacings) {
     return setting(fmt::format("{:g} spacings", spacings), entry);
 }
 
+Setting graded(std::string name, Entry entry, bool quick = false) {
+    entry.graded = true;
+    return setting(std::move(name), entry, quick);
+}
+
+Setting graded(std::string name, SceneCase scene) {
+    scene.overrides.emplace_back("resolution.around=body");
+    return {std::move(name), [scene](const Scheme& s) { return trial_of(scene, s); }};
+}
+
+/// Bodies among particles that grow away from them.
+std::vector<Setting> graded_entries() {
+    Entry fast = wedge_entry(30), film = box(0.25, 4 * plate_spacing);
+    fast.scale_to(30);
+    film.gap = film.particle_spacing;
+    film.travel = 0.03;
+    return {graded("wedge of 30 degrees, 6.15 m/s", wedge_entry(30), true),
+            graded("wedge of 30 degrees, 30 m/s", fast),
+            graded("wedge of 10 degrees, 6.15 m/s", wedge_entry(10)),
+            graded("wedge of 60 degrees, 6.15 m/s", wedge_entry(60)),
+            graded("box, 6.15 m/s", wedge_entry(0)),
+            graded("plate, one spacing above the water", film),
+            graded("plate edge on, 3.1 spacings", box(3.1 * plate_spacing, 0.15)),
+            graded("flat_plate", flat_plate()),
+            graded("catamaran", catamaran())};
+}
+
 /// The scene sinking_rectangle, of even density: it starts half submerged and turns where it is unstable.
 Trial floating_box(const Scheme& scheme, double over_water) {
     const double mass = 0.5 * over_water, inertia = mass * (1 + 0.25) / 12;
@@ -82,6 +109,7 @@ std::vector<Case> entry_cases() {
              {deadrise(0), deadrise(4), deadrise(10), deadrise(30), deadrise(60)}},
             {"thin_plate", "plate at 5.5 m/s, thickness", thin_plates()},
             {"air_film", "plate at 5.5 m/s, air under it at the start", {film(4), film(2), film(1)}},
+            {"graded", "entry among particles that grow away from the body", graded_entries()},
             {"body_density",
              "floating or sinking box, density",
              {density(0.02), density(0.1), density(0.5), density(2), density(20)},

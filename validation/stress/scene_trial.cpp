@@ -25,7 +25,8 @@ Trial assembled(Scene scene, double particle_spacing, double end, const Scheme& 
 std::string text_of(const Entry& e) {
     std::string corners;
     for (const auto& corner : e.outline) corners += fmt::format("[{}, {}], ", corner[0], corner[1]);
-    return fmt::format(R"toml(schema = 1
+    return fmt::format(
+        R"toml(schema = 1
 name = "entry"
 title = "Entry"
 purpose = "to be survived"
@@ -37,7 +38,8 @@ variants.two-phase.description = "water and air"
 tank.size = [{width}, {height}]
 initial = {{ pressure = "hydrostatic", surface = {depth} }}
 model = {{ air = true, background_pressure = {background} }}
-run = {{ end_time = 1.0, sample_interval = 1.0 }}
+run = {{ end_time = {end}, sample_interval = {end} }}
+{resolution}
 [water]
 density = 1000.0
 sound_speed = {sound_speed}
@@ -57,12 +59,12 @@ free = {free}
 mass = {mass}
 velocity_y = {velocity}
 )toml",
-                       fmt::arg("width", e.tank[0]), fmt::arg("height", e.tank[1]),
-                       fmt::arg("depth", e.depth), fmt::arg("background", e.background_pressure),
-                       fmt::arg("sound_speed", e.sound_speed), fmt::arg("corners", corners),
-                       fmt::arg("middle", 0.5 * e.tank[0]), fmt::arg("keel", e.depth + e.gap),
-                       fmt::arg("free", e.mass > 0 ? "['y']" : "[]"), fmt::arg("mass", e.mass),
-                       fmt::arg("velocity", -e.speed));
+        fmt::arg("width", e.tank[0]), fmt::arg("height", e.tank[1]), fmt::arg("depth", e.depth),
+        fmt::arg("background", e.background_pressure), fmt::arg("sound_speed", e.sound_speed),
+        fmt::arg("corners", corners), fmt::arg("middle", 0.5 * e.tank[0]), fmt::arg("keel", e.depth + e.gap),
+        fmt::arg("free", e.mass > 0 ? "['y']" : "[]"), fmt::arg("mass", e.mass),
+        fmt::arg("velocity", -e.speed), fmt::arg("end", (e.gap + e.travel) / e.speed),
+        fmt::arg("resolution", e.graded ? "resolution = { around = 'body', growth = 0.1 }" : ""));
 }
 
 /// The scene's own variant of a scheme, which knows the background pressure that its means need, or the

@@ -47,6 +47,7 @@ struct Entry {
     double sound_speed = 120;
     double background_pressure = 1500;
     double travel = 0.155;  ///< of an undelayed body until the end
+    bool graded = false;    ///< particles grow away from the body, up to eight times the finest
 
     /// The pressures that an entry makes scale with the square of its speed, and the water's stiffness and
     /// the background pressure with them.
