@@ -18,7 +18,7 @@ constexpr double tolerance = 1e-9;  // of lengths [m]
 
 /// Share of the longer side of the box around the bodies by which it is widened, for the water they push
 /// aside.
-constexpr double share_beside_bodies = 0.1;
+constexpr double share_beside_bodies = 0.05;
 
 void widen(Box& box, const Outline& outline) {
     for (const Vec2& corner : outline) box = {box.low.cwiseMin(corner), box.high.cwiseMax(corner)};
@@ -39,9 +39,10 @@ Box box_around_bodies(const Scene& scene) {
         for (const Outline& outline : given) widen(box, outline);
         if (spec.solid || !given.empty()) continue;
         const double t = scene.end_time;
-        Vec2 path = t * spec.body.velocity;
+        Vec2 path = t * spec.body.velocity, acceleration = scene.model.gravity;
+        if (spec.body.mass > 0) acceleration += spec.body.applied_force / spec.body.mass;
         for (int k = 0; k < 2; ++k)
-            if (spec.body.free[static_cast<std::size_t>(k)]) path[k] += 0.5 * t * t * scene.model.gravity[k];
+            if (spec.body.free[static_cast<std::size_t>(k)]) path[k] += 0.5 * t * t * acceleration[k];
         widen(box, moved(spec.outline, path));
     }
     const Vec2 margin = Vec2::Constant(share_beside_bodies * (box.high - box.low).maxCoeff());
