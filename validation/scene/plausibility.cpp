@@ -15,6 +15,7 @@
 #include "validation/scene/asked_axes.hpp"
 #include "validation/scene/expected_motion.hpp"
 #include "validation/scene/faces.hpp"
+#include "validation/scene/resolution_section.hpp"
 #include "validation/scene/slamming.hpp"
 #include "validation/scene/trapped_air.hpp"
 #include "validation/scene/unused_values.hpp"
@@ -279,6 +280,7 @@ std::vector<std::string> doubtful(const Scene& scene) {
     doubt_units(scene, found);
     for (std::string& text : motions_out_of_tank(scene)) found.push_back(std::move(text));
     doubt_times(scene, found);
+    if (auto text = doubtful_currents(scene)) found.push_back(std::move(*text));
     for (const Probe& probe : scene.probes)
         found.insert(found.end(), probe.doubts.begin(), probe.doubts.end());
     for (std::string& text : unreached_times(scene)) found.push_back(std::move(text));

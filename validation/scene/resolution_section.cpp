@@ -128,6 +128,21 @@ Grading grading_of(const Resolution& resolution, double finest) {
     return {resolution.box, finest, resolution.growth, resolution.coarsest};
 }
 
+std::optional<std::string> doubtful_currents(const Scene& scene) {
+    constexpr double share_of_gravity = 0.005, tolerated = 1.0 / 30;
+    if (!scene.resolution) return std::nullopt;
+    const double currents = share_of_gravity * scene.model.gravity.norm() * scene.end_time;
+    const ExpectedSpeed fastest = fastest_expected_speed(scene);
+    if (currents <= tolerated * fastest.speed) return std::nullopt;
+    return fmt::format(
+        "where spacings differ ([resolution]) gravity drives currents of about 0.005 g t, {:.2g} m/s by the "
+        "end at "
+        "{:.3g} s, more than a thirtieth of {:.3g} m/s, the fastest motion that is expected: equal spacings "
+        "are for "
+        "runs as long as this",
+        currents, scene.end_time, fastest.speed);
+}
+
 double spacing_of(const Scene& scene, const Probe& probe, double finest) {
     if (!scene.resolution || !probe.place) return finest;
     const Grading grading = grading_of(*scene.resolution, finest);

@@ -15,6 +15,10 @@ void read_resolution(const TomlTable& root, Scene& scene);
 /// The grading of a scene that has one, with this finest spacing [m].
 Grading grading_of(const Resolution& resolution, double finest);
 
+/// Whether the currents that gravity drives where spacings differ, about 0.005 g t (docs/decisions.md), are
+/// more than a thirtieth of the fastest motion that is expected, in words.
+std::optional<std::string> doubtful_currents(const Scene& scene);
+
 /// The coarsest spacing along a probe, as the scene is at the start [m].
 double spacing_of(const Scene& scene, const Probe& probe, double finest);
 

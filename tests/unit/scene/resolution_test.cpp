@@ -122,6 +122,14 @@ TEST_CASE("a scene that cannot have differing spacings says why", "[resolution][
     CHECK_THAT(refused(with_body({"resolution.around=[0.5,0.2]"})), Contains("body is not in it"));
 }
 
+TEST_CASE("a long graded run is doubted for the currents that gravity drives", "[resolution][scene]") {
+    CHECK_FALSE(doubtful_currents(layer(with_body({"resolution.around=body"}))));
+    CHECK_FALSE(doubtful_currents(layer(with_body({"run.end_time=5"}))));
+    const auto doubt = doubtful_currents(layer(with_body({"resolution.around=body", "run.end_time=5"})));
+    REQUIRE(doubt);
+    CHECK_THAT(*doubt, Contains("0.25 m/s by the end at 5 s"));
+}
+
 TEST_CASE("a gauge where particles are coarse is judged by their spacing there", "[resolution][scene]") {
     // 0.08 m on the right wall: eight spacings of the finest, less than one of the coarsest
     const std::vector<std::string> more = {"resolution.around=[0.1,0.2]", "resolution.growth=0.2",
