@@ -29,14 +29,18 @@ Outline moved(Outline outline, Vec2 by) {
     return outline;
 }
 
-/// The box around the bodies, from where they start to where they may be at the end, and some water beside
-/// them.
+/// The box around the bodies, from where they start to where they may be at the end, as far behind them,
+/// where the fluid comes from that follows them, and some fluid beside them: no coarse fluid must get to a
+/// body.
 Box box_around_bodies(const Scene& scene) {
     Box box{scene.bodies.front().outline.front(), scene.bodies.front().outline.front()};
     for (const BodySpec& spec : scene.bodies) {
         widen(box, spec.outline);
         const std::vector<Outline> given = positions_given(scene, spec);
-        for (const Outline& outline : given) widen(box, outline);
+        for (const Outline& outline : given) {
+            widen(box, outline);
+            widen(box, moved(spec.outline, spec.outline.front() - outline.front()));
+        }
         if (spec.solid || !given.empty()) continue;
         const double t = scene.end_time;
         Vec2 path = t * spec.body.velocity, acceleration = scene.model.gravity;
@@ -44,6 +48,7 @@ Box box_around_bodies(const Scene& scene) {
         for (int k = 0; k < 2; ++k)
             if (spec.body.free[static_cast<std::size_t>(k)]) path[k] += 0.5 * t * t * acceleration[k];
         widen(box, moved(spec.outline, path));
+        widen(box, moved(spec.outline, -path));
     }
     const Vec2 margin = Vec2::Constant(share_beside_bodies * (box.high - box.low).maxCoeff());
     return {(box.low - margin).cwiseMax(scene.tank.low), (box.high + margin).cwiseMin(scene.tank.high)};
