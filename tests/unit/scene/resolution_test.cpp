@@ -112,7 +112,7 @@ TEST_CASE("a scene that cannot have differing spacings says why", "[resolution][
     CHECK_THAT(refused({"resolution.around=surface", "resolution.growth=0.3"}), Contains("at most 0.2"));
     CHECK_THAT(refused({"resolution.around=surface", "resolution.growth=0"}), Contains("above 0"));
     CHECK_THAT(refused({"resolution.around=surface", "resolution.coarsest=0.5"}), Contains("from 1 (equal"));
-    CHECK_THAT(refused({"resolution.around=surface", "resolution.coarsest=40"}), Contains("at most 16"));
+    CHECK_THAT(refused({"resolution.around=surface", "resolution.coarsest=40"}), Contains("to 16"));
     CHECK_THAT(refused({"resolution.around=surface", "resolution.finest=-1"}), Contains("positive spacing"));
     CHECK_THAT(refused({"resolution.around=surface", "model.dissipation_switch=true"}),
                Contains("needs equal spacings: model.dissipation_switch"));
