@@ -66,8 +66,8 @@ class Simulation {
     Box domain() const { return rates_.setup().domain; }                         ///< of the tank [m]
     double particle_spacing() const { return rates_.setup().particle_spacing; }  ///< the finest [m]
     double coarsest() const { return rates_.setup().coarsest; }  ///< largest spacing over the finest
-    /// Whether particles differ in their spacings.
-    bool graded() const { return rates_.setup().graded(); }
+    bool graded() const { return rates_.setup().graded(); }      ///< whether spacings differ
+
     /// Spacing that a fluid particle was laid at [m].
     double spacing_of(const FluidState& p) const {
         return graded() ? particle_spacing() / p.fineness : particle_spacing();
