@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace wetdeck {
 
@@ -13,5 +14,17 @@ struct Box {
     Vec2 low = Vec2::Zero();   ///< lower left corner
     Vec2 high = Vec2::Zero();  ///< upper right corner
 };
+
+/// A box that holds nothing yet: its corners are exchanged.
+inline Box empty_box() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {Vec2::Constant(infinity), Vec2::Constant(-infinity)};
+}
+
+/// Widens a box to hold a point.
+inline void extend(Box& box, Vec2 point) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+}
 
 }  // namespace wetdeck

@@ -66,10 +66,6 @@ std::uint32_t CellLevels::cell_of(Vec2 place, double fineness) const {
     return level.number(level.grid.cell_of(place));
 }
 
-std::vector<Box> CellLevels::no_extents() const {
-    return std::vector<Box>(levels_.size(), {Vec2::Constant(infinity), Vec2::Constant(-infinity)});
-}
-
 void CellLevels::fit_to(const std::vector<Box>& extents) {
     std::uint32_t first_cell = 0;
     for (std::size_t n = 0; n < levels_.size(); ++n) {

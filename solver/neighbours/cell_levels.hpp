@@ -41,8 +41,8 @@ class CellLevels {
     template <class Place, class Fineness>
     void fit(std::size_t count, Place place, Fineness fineness) {
         if (levels_.size() == 1) return;
-        std::vector<Box> extents = no_extents();
-        for (std::size_t n = 0; n < count; ++n) widen(extents[level_of(fineness(n))], place(n));
+        std::vector<Box> extents(levels_.size(), empty_box());
+        for (std::size_t n = 0; n < count; ++n) extend(extents[level_of(fineness(n))], place(n));
         fit_to(extents);
     }
     /// Number of the cell of a particle; fineness is not read where there is one level.
@@ -94,8 +94,6 @@ class CellLevels {
         }
     };
     std::size_t level_of(double fineness) const;
-    std::vector<Box> no_extents() const;
-    static void widen(Box& box, Vec2 place) { box = {box.low.cwiseMin(place), box.high.cwiseMax(place)}; }
     void fit_to(const std::vector<Box>& extents);
 
     double finest_;              ///< spacing [m]

@@ -3,19 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace wetdeck {
 namespace {
 
 /// How far a particle may move before blocks that do not touch count, in skins.
 constexpr double moves_within_blocks = 1.5;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Box nothing() {
-    return {Vec2::Constant(infinity), Vec2::Constant(-infinity)};
-}
 
 /// Square of the diagonal of the box around both.
 double diagonal2(const Box& a, const Box& b) {
@@ -35,7 +28,7 @@ RelativeMotion::RelativeMotion(const CellGrid& grid, double reach, double skin) 
     columns_ = (grid.strips + block_strips_ - 1) / block_strips_;
     layers_ = (grid.rows + block_rows_ - 1) / block_rows_;
     spare_ = std::min(block_strips_ * grid.cell_width, block_rows_ * grid.cell_height) - reach;
-    at_rest_.assign(std::size_t{columns_} * layers_, nothing());
+    at_rest_.assign(std::size_t{columns_} * layers_, empty_box());
     moves_ = at_rest_;
 }
 

@@ -58,10 +58,4 @@ class RelativeMotion {
     std::vector<Box> moves_, at_rest_;
 };
 
-/// Widens `box` to hold `point`.
-inline void extend(Box& box, Vec2 point) {
-    box.low = box.low.cwiseMin(point);
-    box.high = box.high.cwiseMax(point);
-}
-
 }  // namespace wetdeck

@@ -108,7 +108,7 @@ double gap_to_water(const Simulation& simulation, std::size_t body, Vec2 from, V
 double gap_around(const Simulation& simulation, std::span<const Vec2> corners) {
     const std::vector<Side> sides = sides_of(corners);
     Box around{corners[0], corners[0]};
-    for (const Vec2& corner : corners) around = {around.low.cwiseMin(corner), around.high.cwiseMax(corner)};
+    for (const Vec2& corner : corners) extend(around, corner);
     const FluidParticles& fluid = simulation.fluid();
     const double half = 0.5 * simulation.particle_spacing();
     double nearest = (simulation.domain().high - simulation.domain().low).norm();

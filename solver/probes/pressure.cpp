@@ -42,8 +42,7 @@ struct Seen {
 /// Around all points, as far as the kernel reaches.
 Box neighbourhood(std::span<const FacePoint> points, double reach) {
     Box near{points[0].place, points[0].place};
-    for (const FacePoint& point : points)
-        near = {near.low.cwiseMin(point.place), near.high.cwiseMax(point.place)};
+    for (const FacePoint& point : points) extend(near, point.place);
     return {near.low - Vec2::Constant(reach), near.high + Vec2::Constant(reach)};
 }
 

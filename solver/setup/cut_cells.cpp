@@ -33,7 +33,7 @@ std::map<std::size_t, Cell> cells_near(const FluidParticles& fluid, const std::v
     std::vector<Box> around;
     for (const Outline& outline : outlines) {
         Box box{outline[0], outline[0]};
-        for (const Vec2& corner : outline) box = {box.low.cwiseMin(corner), box.high.cwiseMax(corner)};
+        for (const Vec2& corner : outline) extend(box, corner);
         const Vec2 margin(2 * particle_spacing, 2 * particle_spacing);
         around.push_back({box.low - margin, box.high + margin});
     }

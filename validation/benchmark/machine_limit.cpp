@@ -55,7 +55,7 @@ ArithmeticLimit arithmetic_limit(const Simulation& simulation, int threads) {
     in.acceleration_y = acceleration_y.data();
     in.threads = threads;
     const PairPasses loops = pair_passes(simulation.model(), simulation.instruction_set(),
-                                         simulation.execution().precision, simulation.coarsest() > 1);
+                                         simulation.execution().precision, simulation.graded());
     const double work = neighbours_of(sample);
     return {work / fastest(bursts, [&] { loops.density_rates(in); }),
             work / fastest(bursts, [&] { loops.accelerations(in); })};

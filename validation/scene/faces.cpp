@@ -56,7 +56,7 @@ double snapping_distance(const Scene& scene) {
 
 Box extent_of(const Outline& outline) {
     Box extent{outline.front(), outline.front()};
-    for (const Vec2& corner : outline) extent = {extent.low.cwiseMin(corner), extent.high.cwiseMax(corner)};
+    for (const Vec2& corner : outline) extend(extent, corner);
     return extent;
 }
 

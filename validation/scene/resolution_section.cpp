@@ -21,7 +21,7 @@ constexpr double tolerance = 1e-9;  // of lengths [m]
 constexpr double share_beside_bodies = 0.05;
 
 void widen(Box& box, const Outline& outline) {
-    for (const Vec2& corner : outline) box = {box.low.cwiseMin(corner), box.high.cwiseMax(corner)};
+    for (const Vec2& corner : outline) extend(box, corner);
 }
 
 Outline moved(Outline outline, Vec2 by) {

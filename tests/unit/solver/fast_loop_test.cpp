@@ -22,6 +22,17 @@ double largest(const std::vector<double>& values) {
     return sum;
 }
 
+/// Each phase has its own scale: rates of air and water differ by a factor of a thousand.
+void check_rates(const FluidParticles& fluid, const samples::Rates& expected, double tolerance) {
+    const std::size_t ends[] = {0, fluid.water, fluid.size()};
+    for (int phase = 0; phase < 2; ++phase) {
+        const std::size_t first = ends[phase], last = ends[phase + 1];
+        CHECK(samples::difference(fluid.density_rate, expected.density, first, last) < tolerance);
+        CHECK(samples::difference(fluid.acceleration_x, expected.acceleration_x, first, last) < tolerance);
+        CHECK(samples::difference(fluid.acceleration_y, expected.acceleration_y, first, last) < tolerance);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("Rates of the fast loop are those of the plain sum over all pairs", "[simd][pairs]") {
@@ -34,16 +45,7 @@ TEST_CASE("Rates of the fast loop are those of the plain sum over all pairs", "[
     const FluidParticles& fluid = simulation.fluid();
     const samples::Rates expected = samples::reference_rates(fluid, simulation.walls(), simulation.model(),
                                                              simulation.particle_spacing());
-    // Rounding of some 30 terms. Each phase has its own scale: rates of air and water differ by a factor of a
-    // thousand.
-    constexpr double tolerance = 1e-11;
-    const std::size_t ends[] = {0, fluid.water, fluid.size()};
-    for (int phase = 0; phase < 2; ++phase) {
-        const std::size_t first = ends[phase], last = ends[phase + 1];
-        CHECK(samples::difference(fluid.density_rate, expected.density, first, last) < tolerance);
-        CHECK(samples::difference(fluid.acceleration_x, expected.acceleration_x, first, last) < tolerance);
-        CHECK(samples::difference(fluid.acceleration_y, expected.acceleration_y, first, last) < tolerance);
-    }
+    check_rates(fluid, expected, 1e-11);  // rounding of some 30 terms
 }
 
 TEST_CASE("Where particles differ in their spacings the fast loop is the plain sum, too", "[simd][pairs]") {
@@ -64,13 +66,7 @@ TEST_CASE("Where particles differ in their spacings the fast loop is the plain s
     const FluidParticles& fluid = simulation.fluid();
     const samples::Rates expected = samples::reference_rates(fluid, simulation.walls(), simulation.model(),
                                                              simulation.particle_spacing(), true);
-    const std::size_t ends[] = {0, fluid.water, fluid.size()};
-    for (int phase = 0; phase < 2; ++phase) {
-        const std::size_t first = ends[phase], last = ends[phase + 1];
-        CHECK(samples::difference(fluid.density_rate, expected.density, first, last) < tolerance);
-        CHECK(samples::difference(fluid.acceleration_x, expected.acceleration_x, first, last) < tolerance);
-        CHECK(samples::difference(fluid.acceleration_y, expected.acceleration_y, first, last) < tolerance);
-    }
+    check_rates(fluid, expected, tolerance);
     CHECK(samples::difference(fluid.kernel_sum, expected.kernel_sum, 0, fluid.water) < tolerance);
     CHECK(simulation.momentum_error() < tolerance);
     // with one smoothing length for all the sums are others

@@ -3,19 +3,15 @@
 // state, momentum, and what is refused.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 
 #include "solver/core/errors.hpp"
 #include "solver/setup/initial_pressure.hpp"
+#include "tests/support/restored_run.hpp"
 #include "tests/support/samples.hpp"
 
 using namespace wetdeck;
 
 namespace {
-
-void step(Simulation& simulation, int steps) {
-    for (int n = 0; n < steps; ++n) REQUIRE_FALSE(simulation.step(1));
-}
 
 /// The graded tank at rest under hydrostatic pressure, its water stirred.
 samples::Setup stirred_tank(const Model& model) {
@@ -32,12 +28,6 @@ samples::Setup stirred_tank(const Model& model) {
     return setup;
 }
 
-bool same(const Simulation& a, const Simulation& b) {
-    const std::vector<FluidState>&left = a.fluid().state, &right = b.fluid().state;
-    return left.size() == right.size() &&
-           std::memcmp(left.data(), right.data(), left.size() * sizeof(FluidState)) == 0;
-}
-
 }  // namespace
 
 TEST_CASE("a graded run goes on from a stored state, and on other threads, to the same bits",
@@ -46,19 +36,7 @@ TEST_CASE("a graded run goes on from a stored state, and on other threads, to th
     model.air_substeps = GENERATE(1, 3);
     samples::Setup setup = stirred_tank(model);
     setup.execution.precision = GENERATE(Precision::double_precision, Precision::mixed);
-    Simulation whole = setup.simulate();
-    step(whole, 40);
-    std::uint64_t builds = whole.list_builds();
-    for (int n = 0; n < 200 && whole.list_builds() == builds; ++n) step(whole, 1);
-    step(whole, 2);
-    setup.execution.threads = 3;
-    Simulation parted = setup.simulate();
-    parted.restore(whole.state());
-    builds = whole.list_builds();
-    step(whole, 60);
-    step(parted, 60);
-    CHECK(whole.list_builds() > builds);
-    CHECK(same(whole, parted));
+    samples::check_restored_run(setup, 40);
 }
 
 TEST_CASE("pairs of different spacings push each other with opposite forces all through a run",
@@ -66,7 +44,7 @@ TEST_CASE("pairs of different spacings push each other with opposite forces all 
     Simulation simulation = stirred_tank(samples::two_phase_model()).simulate();
     for (int n = 0; n < 5; ++n) {
         CHECK(simulation.momentum_error() < 1e-13);
-        step(simulation, 10);
+        samples::step_stably(simulation, 10);
     }
 }
 

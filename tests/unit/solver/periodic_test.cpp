@@ -2,10 +2,10 @@
 // A domain that is periodic along x knows no place where it begins.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstring>
 
 #include "solver/core/errors.hpp"
 #include "solver/setup/lattice.hpp"
+#include "tests/support/restored_run.hpp"
 #include "tests/support/samples.hpp"
 
 using namespace wetdeck;
@@ -127,24 +127,7 @@ TEST_CASE("A periodic simulation restored between two builds of its list goes on
           "[periodic]") {
     Model model = samples::two_phase_model();
     model.air_substeps = GENERATE(1, 3);
-    samples::Setup setup = channel(0, model);
-    Simulation whole = setup.simulate();
-    const auto step = [](Simulation& s, int steps) {
-        for (int n = 0; n < steps; ++n) REQUIRE_FALSE(s.step(1));
-    };
-    step(whole, 50);
-    std::uint64_t builds = whole.list_builds();
-    while (whole.list_builds() == builds) step(whole, 1);
-    step(whole, 2);
-    setup.execution.threads = 3;
-    Simulation parted = setup.simulate();
-    parted.restore(whole.state());
-    builds = whole.list_builds();
-    step(whole, 60);
-    step(parted, 60);
-    CHECK(whole.list_builds() > builds);
-    const std::vector<FluidState>&a = whole.fluid().state, &b = parted.fluid().state;
-    CHECK(std::memcmp(a.data(), b.data(), a.size() * sizeof(FluidState)) == 0);
+    samples::check_restored_run(channel(0, model), 50);
 }
 
 TEST_CASE("What a periodic domain cannot have is refused", "[periodic]") {

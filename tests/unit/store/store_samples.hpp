@@ -17,29 +17,15 @@
 
 #include "validation/store/fields.hpp"
 #include "validation/store/run_record.hpp"
+#include "validation/store/temporary_folder.hpp"
 
 namespace wetdeck::samples {
 
 /// A new folder, removed with its scope.
-class ScratchFolder {
+class ScratchFolder : public TemporaryFolder {
   public:
-    ScratchFolder() {
-        std::string name = std::filesystem::temp_directory_path() / "wetdeck-store-XXXXXX";
-        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
-        path_ = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    operator const std::filesystem::path&() const { return path_; }
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-  private:
-    std::filesystem::path path_;
+    operator const std::filesystem::path&() const { return path(); }
+    std::filesystem::path operator/(const std::string& name) const { return path() / name; }
 };
 
 inline std::string bytes_of(const std::filesystem::path& path) {
