@@ -26,6 +26,14 @@ void check_finenesses(const SimulationSetup& setup) {
         throw InputError("each particle needs a fineness between that of the coarsest spacing and 1");
 }
 
+/// Steps of the fine water in one of the coarse.
+int coarse_substeps_of(const SimulationSetup& setup) {
+    if (setup.coarsest == 1 || setup.fluid.water < setup.fluid.size()) return 1;
+    std::vector<double> finenesses;
+    for (const FluidState& p : setup.fluid.state) finenesses.push_back(p.fineness);
+    return coarse_substeps(setup.model, finenesses);
+}
+
 /// The constants of a set-up, checked, with substeps and threads resolved.
 RatesSetup checked(const SimulationSetup& setup) {
     const bool good = setup.particle_spacing > 0 && std::isfinite(setup.particle_spacing);
@@ -46,6 +54,7 @@ RatesSetup checked(const SimulationSetup& setup) {
     const bool two_phase = setup.fluid.water > 0 && setup.fluid.water < setup.fluid.size();
     result.model.wall_wetting = wets_walls(setup.model, two_phase);
     result.model.air_substeps = two_phase ? air_substeps(setup.model) : 1;
+    result.model.coarse_substeps = coarse_substeps_of(setup);
     if (result.execution.threads <= 0) result.execution.threads = omp_get_max_threads();
     return result;
 }
@@ -73,14 +82,14 @@ Simulation::Simulation(const RatesSetup& setup, Flow flow)
     : flow_(std::move(flow)),
       rates_(setup, flow_),
       bounds_(setup.model, setup.domain, rates_.kernel().support_radius()) {
-    rates_.update_density(flow_, 0, 1);
     place_walls(flow_, setup.model.gravity);
     rates_.build_list(flow_);
+    rates_.update_density(flow_, 0, 1);
     evaluate();
 }
 
 void Simulation::evaluate() {
-    const double all = model().air_substeps;
+    const double all = substeps();
     rates_.forget_mixed_fluid();
     extremes_ = extremes_of(flow_.fluid, model());
     rates_.wall_means(flow_, all);
@@ -92,7 +101,7 @@ void Simulation::evaluate() {
 
 TimeStep Simulation::stable_step() const {
     const TimeStep step = stable_time_step(model(), kernel().smoothing_length, extremes_, fluid().water > 0,
-                                           fluid().water < fluid().size());
+                                           fluid().water < fluid().size(), model().coarse_substeps);
     if (!model().contact.on()) return step;
     return with_contact(step, contact_frequency(bodies(), domain(), model().contact, particle_spacing()));
 }
@@ -104,11 +113,10 @@ std::optional<Instability> Simulation::step(double longest) {
     if (model().dissipation_switch)
         rates_.mark_impacts(flow_, std::max(extremes_.fastest[0], extremes_.fastest[1]));
     std::optional<Instability> instability;
-    Substep substep{whole / model().air_substeps, 0, model().air_substeps};
+    Substep substep{whole / substeps(), 0, substeps()};
     for (; substep.number < substep.count && !instability; ++substep.number) {
         instability = advance(flow_, rates_, substep, bounds_, extremes_);
-        const std::uint64_t air = flow_.fluid.size() - flow_.fluid.water;
-        particle_steps_ += substep.last() ? flow_.fluid.size() : rates_.water_near_air() + air;
+        particle_steps_ += substep.last() ? flow_.fluid.size() : rates_.summed_in_each_step();
     }
     if (instability) {
         instability->time = flow_.time;

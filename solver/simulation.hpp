@@ -58,7 +58,8 @@ class Simulation {
     /// Lets go of the free degrees of freedom of a body that is held, from the next step on.
     void release(std::size_t body) { flow_.bodies.at(body).guide.release_time = flow_.time; }
 
-    const Model& model() const { return rates_.setup().model; }  ///< air_substeps, wall_wetting resolved
+    const Model& model() const { return rates_.setup().model; }  ///< substeps, wall_wetting resolved
+    int substeps() const { return rates_.setup().substeps(); }   ///< of the fast fluid in each step
     const Execution& execution() const { return rates_.setup().execution; }  ///< threads resolved
     const FluidParticles& fluid() const { return flow_.fluid; }  ///< sorted: `id` identifies a particle
     const WallParticles& walls() const { return flow_.walls; }   ///< of the tank, then of bodies

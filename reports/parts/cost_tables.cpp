@@ -2,6 +2,7 @@
 // Cost of the runs of a scene, by stage, and the criteria that limited the time step.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -54,12 +55,17 @@ std::vector<Cell> run_cells(const RunRecord& record) {
     return {markup(escape(record.variant), "name"), value(record.particle_spacing, "m", 4)};
 }
 
+/// Of the air in one step of the water, or of fine water in one of coarse.
+std::optional<double> substeps(const RunRecord& record) {
+    return std::max(parameter(record, "model.air_substeps"), parameter(record, "model.coarse_substeps"));
+}
+
 /// With the particle-steps of the source's computation over those of each run, if they are known.
 std::string pace_table(const Runs& runs, const std::optional<SourceRun>& source_run) {
     std::vector<std::string> headers{"variant",
                                      "dx",
                                      "steps",
-                                     "air substeps per step",
+                                     "substeps per step",
                                      "particle-steps",
                                      "particle-steps/s",
                                      "bytes per particle",
@@ -71,7 +77,7 @@ std::string pace_table(const Runs& runs, const std::optional<SourceRun>& source_
         const RunRecord& record = run->record;
         std::vector<Cell> row = run_cells(record);
         row.push_back(whole(static_cast<double>(record.cost.steps)));
-        row.push_back(value(parameter(record, "model.air_substeps")));
+        row.push_back(value(substeps(record)));
         row.push_back(value(record.cost.particle_steps));
         row.push_back(value(particle_rate(record.cost)));
         row.push_back(value(parameter(record, "bytes_per_particle")));
@@ -116,9 +122,9 @@ std::string cost_table(const Runs& runs, const AnalysisSpec& scene) {
     return pace_table(runs, scene.source_run) + stage_table(runs) +
            paragraph(
                "Particle-steps: number of particles whose rates of change were computed, summed over all "
-               "steps. "
-               "If the air takes several substeps in one step of the water, the air counts in each substep, "
-               "the water only near the air. The seconds of the stages are wall time of the time loop; the "
+               "steps. If the air takes several substeps in one step of the water, or fine water in one of "
+               "coarse, it counts in each substep, the rest only near it. The seconds of the stages are wall "
+               "time of the time loop; the "
                "remaining wall time is set-up.",
                "soft");
 }

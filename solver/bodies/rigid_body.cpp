@@ -62,23 +62,28 @@ void RigidBody::set_restraint(double remaining) {
     }
 }
 
+BodyLoad RigidBody::with_excess(const BodyLoad& load, Vec2 gravity) const {
+    return {load.force + excess_mass() * (acceleration - gravity),
+            load.torque + excess_inertia() * angular_acceleration};
+}
+
 void RigidBody::set_slow_load(const BodyLoad& load, Vec2 gravity) {
     slow = load;
-    slow_with_excess.force = load.force + excess_mass() * (acceleration - gravity);
-    slow_with_excess.torque = load.torque + excess_inertia() * angular_acceleration;
+    slow_with_excess = in_fast_water ? load : with_excess(load, gravity);
 }
 
 void RigidBody::set_fast_load(const BodyLoad& load, Vec2 gravity, double time, double spin) {
     force = load.force + slow.force;
     torque = load.torque + slow.torque;
+    const BodyLoad fast = in_fast_water ? with_excess(load, gravity) : load;
     const Vec2 total_force =
-        load.force + slow_with_excess.force + applied_force + contact.force + restraint.force;
+        fast.force + slow_with_excess.force + applied_force + contact.force + restraint.force;
     for (int k = 0; k < 2; ++k) {
         acceleration[k] = forced(k) ? total_force[k] / (mass + excess_mass()) + gravity[k]
                                     : given(motion_of(k), time).acceleration;
     }
     double total_torque =
-        load.torque + slow_with_excess.torque + applied_torque + contact.torque + restraint.torque;
+        fast.torque + slow_with_excess.torque + applied_torque + contact.torque + restraint.torque;
     const Vec2 arm = arm_of_centre();
     if (guide.pivot) total_torque += cross(arm, total_force + mass * (gravity - acceleration));
     angular_acceleration = forced(2) ? total_torque / (turning_inertia() + excess_inertia()) - spin

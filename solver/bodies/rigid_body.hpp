@@ -4,8 +4,9 @@
 //
 //     M dv/dt = F + M g + F_applied,   I domega/dt = T + T_applied
 //
-// Loads come in two parts: the slow loads, of the water, act in the first and the last of the short steps
-// that make a long one, with the weight of all of them; the fast loads, of the air, act in each.
+// Loads come in two parts: the slow loads, of the slow fluid, act in the first and the last of the short
+// steps that make a long one, with the weight of all of them; the fast loads, of the fast fluid, act in each
+// (see time/verlet.hpp).
 //
 // The wall pressure (17) holds the body's last acceleration: F = F0 - m a_last, with m the added mass of the
 // water that follows the surface at once. Where m is larger than M this would oscillate and grow. With the
@@ -76,6 +77,7 @@ struct RigidBody {
     double angular_acceleration = 0;   ///< [rad/s^2]
 
     double added_mass = 0;           ///< of the water that follows the surface at once [kg/m]
+    bool in_fast_water = false;      ///< whether that water is fast, else slow
     double added_inertia = 0;        ///< of the same, about the mass centre [kg m]
     std::vector<Vec2> corners = {};  ///< of the outline, in the body's frame [m]; only contact needs them
     double radius = 0;               ///< of the farthest boundary particle of it and what is joined to it [m]
@@ -169,6 +171,8 @@ struct RigidBody {
     }
 
   private:
+    /// A load of water, plus x (a_last - g).
+    BodyLoad with_excess(const BodyLoad& load, Vec2 gravity) const;
     void place_on_hinge(double time);
 };
 

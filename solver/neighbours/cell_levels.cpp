@@ -17,12 +17,11 @@ std::size_t level_number(double fineness) {
     return static_cast<std::size_t>(std::max(-exponent, 0));
 }
 
-void append(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, Phase phase) {
+void append(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, const Cluster& kind) {
     for (std::size_t first = begin; first < end; first += cluster_width) {
-        Cluster cluster;
+        Cluster cluster = kind;
         cluster.first = static_cast<std::uint32_t>(first);
         cluster.count = static_cast<std::uint32_t>(std::min<std::size_t>(cluster_width, end - first));
-        cluster.phase = phase;
         clusters.push_back(cluster);
     }
 }
@@ -79,9 +78,12 @@ void CellLevels::fit_to(const std::vector<Box>& extents) {
 }
 
 void CellLevels::append_clusters(std::vector<Cluster>& clusters, std::size_t group, Phase phase) const {
+    Cluster kind;
+    kind.phase = phase;
+    kind.slow = group == 0;
     const std::uint32_t* first = start.data() + group * count();
     for (const Level& level : levels_)
-        append(clusters, first[level.first_cell], first[level.end_cell()], phase);
+        append(clusters, first[level.first_cell], first[level.end_cell()], kind);
 }
 
 }  // namespace wetdeck

@@ -50,7 +50,7 @@ class CellLevels {
     /// Number of cells.
     std::size_t count() const { return levels_.back().end_cell(); }
 
-    /// First particle of each cell, group after group (phases), and an end mark.
+    /// First particle of each cell, group after group, and an end mark.
     std::vector<std::uint32_t> start;
 
     /// Clusters of the particles of a group, none of two levels.

@@ -5,8 +5,7 @@ namespace wetdeck {
 
 std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads, Pairs pairs) {
     const auto work = [pairs](const Cluster& c) {
-        if (pairs == Pairs::with_air && c.phase == Phase::water)
-            return std::size_t{c.fluid_neighbours[1]} + 1;
+        if (pairs == Pairs::with_fast && c.slow) return std::size_t{c.fluid_neighbours[1]} + 1;
         return std::size_t{c.fluid_neighbours[0]} + c.fluid_neighbours[1] + c.wall_neighbours;
     };
     std::size_t total = 0;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Clusters: eight adjacent particles of one phase and their common neighbours.
+//
+// Fluid is listed in two groups: the slow one, whose pairs with itself count once in several steps, and the
+// fast one (see time/verlet.hpp). They are water and air, or coarse and fine water.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +17,19 @@ namespace wetdeck {
 
 inline constexpr std::uint32_t cluster_width = 8;
 
-/// Eight (or, at the end of a phase, fewer) adjacent particles of one phase. Their neighbours are a range of
-/// one of the blocks of the list: first water, then air, then boundary particles.
+/// The groups of the fluid, slow before fast.
+inline constexpr std::size_t group_count = 2;
+
+/// Eight (or, at the end of a group, fewer) adjacent particles of one group. Their neighbours are a range of
+/// one of the blocks of the list: first the slow fluid, then the fast, then boundary particles.
 struct Cluster {
     std::uint32_t first = 0;                                    ///< index of the first particle
     std::uint32_t count = 0;                                    ///< 1..8
     Phase phase = Phase::water;                                 ///< of its particles
+    bool slow = true;                                           ///< the group of its particles
     std::uint32_t block = 0;                                    ///< of the list that holds the neighbours
     std::uint32_t offset = 0;                                   ///< of the neighbours in that block
-    std::array<std::uint32_t, phase_count> fluid_neighbours{};  ///< their number, by phase
+    std::array<std::uint32_t, group_count> fluid_neighbours{};  ///< their number, by group
     std::uint32_t wall_neighbours = 0;                          ///< number of boundary particles among them
 
     /// Index of the particle in a lane; the last one stands in for those that a smaller cluster lacks.
@@ -35,10 +42,10 @@ using NeighbourBlocks = std::vector<std::vector<std::uint32_t>>;
 /// Indices of some of a cluster's neighbours.
 using Neighbours = std::span<const std::uint32_t>;
 
-/// The fluid neighbours of a cluster of one phase.
-inline Neighbours fluid_neighbours(const NeighbourBlocks& blocks, const Cluster& cluster, std::size_t phase) {
-    const std::size_t skipped = phase == 0 ? 0 : cluster.fluid_neighbours[0];
-    return {blocks[cluster.block].data() + cluster.offset + skipped, cluster.fluid_neighbours[phase]};
+/// The fluid neighbours of a cluster of one group.
+inline Neighbours fluid_neighbours(const NeighbourBlocks& blocks, const Cluster& cluster, std::size_t group) {
+    const std::size_t skipped = group == 0 ? 0 : cluster.fluid_neighbours[0];
+    return {blocks[cluster.block].data() + cluster.offset + skipped, cluster.fluid_neighbours[group]};
 }
 
 /// The boundary particles among the neighbours of a cluster.
@@ -81,11 +88,11 @@ using NearFilter = std::uint32_t (*)(const ClusterPoints& points, const Candidat
                                      const ListReach& reach, std::uint32_t* out);
 
 /// Which pairs a pass sums up.
-enum class Pairs { all, with_air };
+enum class Pairs { all, with_fast };
 
 /// First clusters of as many consecutive shares of about the same number of neighbours as there are threads,
-/// and an end mark. With Pairs::with_air, water counts by its neighbours in the air: in the air's own steps
-/// the rest of the water is left alone.
+/// and an end mark. With Pairs::with_fast, slow fluid counts by its neighbours in the fast one: in the steps
+/// of the fast fluid alone the rest of it is left alone.
 std::vector<std::size_t> equal_shares(const std::vector<Cluster>& clusters, int threads,
                                       Pairs pairs = Pairs::all);
 

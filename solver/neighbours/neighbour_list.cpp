@@ -50,12 +50,14 @@ Box widened(Box box, double margin) {
 }  // namespace
 
 NeighbourList::NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                             bool with_walls_own_lists, DomainEnds ends, double coarsest)
+                             bool with_walls_own_lists, DomainEnds ends, double coarsest,
+                             double slow_fineness)
     : grid_(grid_over(widened(domain, coarsest * support_radius + skin), particle_spacing)),
       reach_{support_radius, skin},
       graded_(coarsest > 1),
       motion_(grid_, reach_.of(1 / coarsest), skin),
       with_walls_own_lists_(with_walls_own_lists),
+      slow_fineness_(slow_fineness),
       fluid_cells_(grid_, coarsest),
       image_cells_(grid_, coarsest),
       fixed_cells_(grid_, coarsest),
@@ -95,7 +97,7 @@ void NeighbourList::build(FluidParticles& fluid, WallParticles& walls, NearFilte
     if (walls.size() > walls.fixed) sort_walls(walls, walls.fixed, walls.size(), body_cells_);
     clusters_.clear();
     fluid_cells_.append_clusters(clusters_, 0, Phase::water);
-    fluid_cells_.append_clusters(clusters_, 1, Phase::air);
+    fluid_cells_.append_clusters(clusters_, 1, slow_fineness_ > 0 ? Phase::water : Phase::air);
     built_body_.clear();
     for (std::size_t n = walls.fixed; n < walls.size(); ++n)
         built_body_.emplace_back(walls.state[n].x, walls.state[n].y);
@@ -131,9 +133,9 @@ void NeighbourList::collect_moves(const FluidParticles& fluid, const WallParticl
                     const std::uint32_t end_row = std::min(grid_.rows, row + motion_.block_rows());
                     Box& block = motion_.moves(CellGrid::Cell{strip, row});
                     Box moves = block;
-                    for (std::uint32_t phase = 0; phase < phase_count; ++phase) {
+                    for (std::uint32_t group = 0; group < group_count; ++group) {
                         const std::uint32_t* start =
-                            fluid_cells_.start.data() + phase * cells + strip * grid_.rows;
+                            fluid_cells_.start.data() + group * cells + strip * grid_.rows;
                         for (std::uint32_t i = start[row]; i < start[end_row]; ++i) extend(moves, move(i));
                     }
                     block = moves;
@@ -161,9 +163,10 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         const FluidState& p = fluid.state[i];
-        key_[i] = fluid_cells_.cell_of(p.position(), fineness_of(p)) + (i < fluid.water ? 0 : cells);
+        key_[i] = fluid_cells_.cell_of(p.position(), fineness_of(p)) + group_of(fluid, i) * cells;
     }
-    counting_sort(key_, phase_count * cells, fluid_cells_.start, order_);
+    counting_sort(key_, group_count * cells, fluid_cells_.start, order_);
+    slow_ = fluid_cells_.start[cells];
     for_each_field(fluid, [&](const auto& field, auto& values) {
         if (field.sorted == Sorted::no) return;
         auto& sorted = sorted_.*field.values;
@@ -184,7 +187,7 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
     }
 }
 
-/// Sorts the images like the fluid: by phase, then along the grid.
+/// Sorts the images like the fluid: by group, then along the grid.
 void NeighbourList::place_images(const FluidParticles& fluid) {
     images_->choose(fluid);
     const std::vector<DomainImages::Image>& images = images_->images();
@@ -195,8 +198,8 @@ void NeighbourList::place_images(const FluidParticles& fluid) {
     key_.clear();
     for (std::size_t n = 0; n < images.size(); ++n)
         key_.push_back(image_cells_.cell_of(place(n), fineness_of(source(n))) +
-                       (images[n].source < fluid.water ? 0 : cells));
-    counting_sort(key_, phase_count * cells, image_cells_.start, order_);
+                       group_of(fluid, images[n].source) * cells);
+    counting_sort(key_, group_count * cells, image_cells_.start, order_);
     images_->reorder(order_);
     for (std::uint32_t& start : image_cells_.start) start += static_cast<std::uint32_t>(fluid.size());
 }
@@ -224,7 +227,7 @@ void NeighbourList::list_neighbours(const FluidParticles& fluid, const WallParti
     for (std::int64_t block = 0; block < static_cast<std::int64_t>(blocks); ++block)
         list_block(search, static_cast<std::size_t>(block));
     shares_ = equal_shares(clusters_, threads);
-    air_shares_ = equal_shares(clusters_, threads, Pairs::with_air);
+    fast_shares_ = equal_shares(clusters_, threads, Pairs::with_fast);
     std::erase_if(wall_clusters_,
                   [](const Cluster& c) { return c.fluid_neighbours[0] + c.fluid_neighbours[1] == 0; });
 }
@@ -269,10 +272,10 @@ void NeighbourList::list_block(const Search& search, std::size_t block) {
         const double* fineness = &search.listed->fineness;
         const Places in_fluid{fluid_cells_, built_.data(), 2, fineness, line};
         const Places in_images{image_cells_, &search.listed->x, line, fineness, line};
-        for (std::size_t phase = 0; phase < phase_count; ++phase) {
-            std::uint32_t& count = cluster.fluid_neighbours[phase];
-            count = fluid.size() == 0 ? 0 : add_near(in_fluid, phase);
-            if (images_) count += add_near(in_images, phase);
+        for (std::size_t group = 0; group < group_count; ++group) {
+            std::uint32_t& count = cluster.fluid_neighbours[group];
+            count = fluid.size() == 0 ? 0 : add_near(in_fluid, group);
+            if (images_) count += add_near(in_images, group);
         }
         cluster.wall_neighbours = 0;
         if (of_wall) continue;

@@ -27,8 +27,10 @@ class NeighbourList {
     /// @param ends    what is beyond the left and the right end of the domain
     /// @param coarsest  largest smoothing length over the finest, which the spacing and the support are those
     /// of; 1: all are equal, and nobody's fineness is read
+    /// @param slow_fineness  largest fineness of the slow fluid; 0: water is slow and air is fast
     NeighbourList(Box domain, double particle_spacing, double support_radius, double skin,
-                  bool with_walls_own_lists, DomainEnds ends = DomainEnds::walls, double coarsest = 1);
+                  bool with_walls_own_lists, DomainEnds ends = DomainEnds::walls, double coarsest = 1,
+                  double slow_fineness = 0);
 
     /// Sorts the tank's boundary particles along the grid. Needed once, before the first build.
     void sort_fixed_walls(WallParticles& walls);
@@ -65,10 +67,12 @@ class NeighbourList {
     const std::vector<Cluster>& clusters() const { return clusters_; }
     /// Neighbours of the clusters and of the wall clusters.
     const NeighbourBlocks& blocks() const { return blocks_; }
+    /// Number of particles of the slow group, which come first.
+    std::size_t slow() const { return slow_; }
     /// Of the clusters, one a thread.
     const std::vector<std::size_t>& shares() const { return shares_; }
-    /// The same of the pairs with air.
-    const std::vector<std::size_t>& air_shares() const { return air_shares_; }
+    /// The same of the pairs with fast fluid.
+    const std::vector<std::size_t>& fast_shares() const { return fast_shares_; }
     /// Clusters of boundary particles that have fluid near, with that fluid as neighbours; none holds
     /// particles of both tank and bodies.
     const std::vector<Cluster>& wall_clusters() const { return wall_clusters_; }
@@ -87,6 +91,11 @@ class NeighbourList {
         std::size_t fineness_stride;
     };
     double fineness_of(const FluidState& p) const { return graded_ ? p.fineness : 1; }
+    /// Number of the group of particle i.
+    std::uint32_t group_of(const FluidParticles& fluid, std::size_t i) const {
+        const bool slow = slow_fineness_ > 0 ? fluid.state[i].fineness <= slow_fineness_ : i < fluid.water;
+        return slow ? 0 : 1;
+    }
     void sort_fluid(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells);
@@ -103,11 +112,13 @@ class NeighbourList {
     bool graded_;
     RelativeMotion motion_;
     bool with_walls_own_lists_;
+    double slow_fineness_;
+    std::size_t slow_ = 0;
 
-    CellLevels fluid_cells_, image_cells_;  ///< of water, then of air
+    CellLevels fluid_cells_, image_cells_;  ///< of the slow fluid, then of the fast
     CellLevels fixed_cells_, body_cells_;   ///< of boundary particles
     std::vector<Cluster> clusters_, wall_clusters_;
-    std::vector<std::size_t> shares_, air_shares_;
+    std::vector<std::size_t> shares_, fast_shares_;
     NeighbourBlocks blocks_;
     std::vector<double> built_;     ///< x, y of each fluid particle at the last build
     std::vector<Vec2> built_body_;  ///< positions of the bodies' particles then

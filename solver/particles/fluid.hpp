@@ -3,8 +3,8 @@
 //
 // The passes over pairs read neighbours one by one in an order that follows the geometry, so what they need
 // of a neighbour stands together in one cache line (FluidState). What only the owner needs (rates, mass)
-// stands in arrays beside it. Fluid particles are kept sorted: water first, then air, each along the cells of
-// the neighbour grid; `id` is stable.
+// stands in arrays beside it. Fluid particles are kept sorted: water first, then air, or coarse water before
+// fine, each along the cells of the neighbour grid; `id` is stable.
 #pragma once
 
 #include "solver/core/vec2.hpp"
@@ -35,8 +35,8 @@ struct alignas(64) FluidState {
     Vec2 velocity() const { return {vx, vy}; }
 };
 
-/// Fluid particles: indices [0, water) are water, [water, size) air. Where the air takes several steps in one
-/// of the water, the rates of water hold the pairs without air times the weight of the substep.
+/// Fluid particles: indices [0, water) are water, [water, size) air. Where fast fluid takes several steps in
+/// one of the slow, the rates of slow fluid hold its pairs with itself times the weight of the substep.
 struct FluidParticles {
     std::vector<FluidState> state;       ///< what neighbours read
     std::vector<double> mass;            ///< [kg/m]

@@ -18,14 +18,19 @@ void for_clusters(const PassInput& in, Work work) {
     }
 }
 
-/// Factor on the pairs without air and on the weight of this cluster; pairs with air count once.
+/// Factor on the weight of this cluster and on all its pairs but those with fast fluid, which count once.
 inline double substep_weight(const PassInput& in, const Cluster& cluster) {
-    return cluster.phase == Phase::water ? in.water_weight : 1;
+    return cluster.slow ? in.slow_weight : 1;
 }
 
-/// Whether the pass has nothing to sum for this cluster: water without air near, in a step of the air alone.
+/// Whether a slow cluster only drifts in this step.
+inline bool drifts(const PassInput& in, const Cluster& cluster) {
+    return cluster.slow && in.slow_weight == 0;
+}
+
+/// Whether the pass has nothing to sum for this cluster: it drifts, and no fast fluid is near.
 inline bool idle(const PassInput& in, const Cluster& cluster) {
-    return cluster.phase == Phase::water && in.water_weight == 0 && cluster.fluid_neighbours[1] == 0;
+    return drifts(in, cluster) && cluster.fluid_neighbours[1] == 0;
 }
 
 }  // namespace wetdeck::WETDECK_ISA

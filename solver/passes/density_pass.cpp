@@ -30,7 +30,7 @@ struct DensitySumsOf {
 };
 using DensitySums = DensitySumsOf<Pack>;
 
-/// The sum over the neighbours of one phase. F (u_L - u*) is taken with F = r W', so that nothing is divided
+/// The sum over the neighbours of one group. F (u_L - u*) is taken with F = r W', so that nothing is divided
 /// by r: r u = -v . r_ij.
 /// @param mobility  of the pair at the present density
 template <class Precise, DensityTerms terms>
@@ -163,25 +163,25 @@ WETDECK_INLINE void cluster_density_rates(const PassInput& in, const Cluster& cl
     const typename Precise::Fluid i = Precise::load(in, cluster);
     const auto phase_i = static_cast<std::size_t>(cluster.phase);
     const typename Precise::Number reference_over_density = in.reference_density[phase_i] / i.density;
-    const double water_weight = substep_weight(in, cluster);
+    const double slow_weight = substep_weight(in, cluster);
     DensitySums sums;
-    for (std::size_t phase = 0; phase < phase_count; ++phase) {
-        const double weight = phase == 1 ? 1 : water_weight;
+    for (std::size_t group = 0; group < group_count; ++group) {
+        const double weight = group == 1 ? 1 : slow_weight;
         if (!(weight > 0)) continue;
-        const PairCoefficients& c = in.pair[phase_i][phase];
+        const PairCoefficients& c = in.pair[phase_i][in.phase_of[group]];
         const DensitySums fluid = fluid_sum<Precise, terms>(
-            in, i, fluid_neighbours(*in.blocks, cluster, phase), c, c.mobility * reference_over_density);
+            in, i, fluid_neighbours(*in.blocks, cluster, group), c, c.mobility * reference_over_density);
         sums.rate += weight * fluid.rate;
         if constexpr (terms.kernel_sum) sums.kernel_sum += fluid.kernel_sum;
     }
-    if (cluster.wall_neighbours > 0 && water_weight > 0) {
+    if (cluster.wall_neighbours > 0 && slow_weight > 0) {
         const Lanes& beside = Precise::beside_walls(in, cluster, i);
         WallSums walls = wall_sum<terms>(in, beside, wall_neighbours(*in.blocks, cluster));
         if (in.model->wall_velocity == WallVelocity::own) walls.rate = 0.5 * walls.rate;
         if (const double half_slowness = in.wall_pair[phase_i].jump_half_slowness; half_slowness > 0)
             walls.rate +=
                 wall_jump_sum<terms.graded>(in, beside, wall_neighbours(*in.blocks, cluster), half_slowness);
-        sums.rate += water_weight * in.wall_volume * walls.rate;
+        sums.rate += slow_weight * in.wall_volume * walls.rate;
         if constexpr (terms.kernel_sum) sums.kernel_sum = whole_kernel_sum(in, sums.kernel_sum, walls);
     }
     store(2 * in.kernel.slope_factor() * Precise::of_cluster(i.density) * sums.rate, in.density_rate,
@@ -214,7 +214,7 @@ void density_rates(const PassInput& in) {
     for_clusters(in, [&in](const Cluster& cluster) {
         if (cluster.phase == Phase::air) {
             cluster_density_rates<Precise, of_air<terms>>(in, cluster);
-        } else if (in.kernel_sum) {
+        } else if (in.kernel_sum && !drifts(in, cluster)) {
             cluster_density_rates<Precise, terms>(in, cluster);
         } else {
             cluster_density_rates<Precise, without_sum<terms>>(in, cluster);

@@ -125,26 +125,26 @@ void accelerations(const PassInput& in) {
         }
         const auto phase_i = static_cast<std::size_t>(cluster.phase);
         const typename Precise::Fluid i = Precise::load(in, cluster);
-        const double water_weight = substep_weight(in, cluster);
+        const double slow_weight = substep_weight(in, cluster);
         VectorSum sum;
-        for (std::size_t phase = 0; phase < phase_count; ++phase) {
-            const double weight = phase == 1 ? 1 : water_weight;
+        for (std::size_t group = 0; group < group_count; ++group) {
+            const double weight = group == 1 ? 1 : slow_weight;
             if (!(weight > 0)) continue;
             const VectorSum fluid = fluid_sum<Precise, terms>(
-                in, i, fluid_neighbours(*in.blocks, cluster, phase), in.pair[phase_i][phase]);
+                in, i, fluid_neighbours(*in.blocks, cluster, group), in.pair[phase_i][in.phase_of[group]]);
             sum.x += weight * fluid.x;
             sum.y += weight * fluid.y;
         }
-        if (cluster.wall_neighbours > 0 && water_weight > 0) {
+        if (cluster.wall_neighbours > 0 && slow_weight > 0) {
             const VectorSum walls = choose_wall_sum<terms.no_slip, terms.graded>(in, phase_i)(
                 in, Precise::beside_walls(in, cluster, i), wall_neighbours(*in.blocks, cluster),
                 in.wall_pair[phase_i]);
-            sum.x += water_weight * in.wall_volume * walls.x;
-            sum.y += water_weight * in.wall_volume * walls.y;
+            sum.x += slow_weight * in.wall_volume * walls.x;
+            sum.y += slow_weight * in.wall_volume * walls.y;
         }
         const Pack factor = 2 * in.kernel.slope_factor() / Precise::of_cluster(i.density);
-        store(factor * sum.x + water_weight * in.gravity.x(), in.acceleration_x, cluster);
-        store(factor * sum.y + water_weight * in.gravity.y(), in.acceleration_y, cluster);
+        store(factor * sum.x + slow_weight * in.gravity.x(), in.acceleration_x, cluster);
+        store(factor * sum.y + slow_weight * in.gravity.y(), in.acceleration_y, cluster);
     });
 }
 

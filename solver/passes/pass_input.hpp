@@ -41,10 +41,12 @@ struct PassInput {
     const std::vector<std::size_t>* shares = nullptr;  ///< of the clusters, one a thread (equal_shares)
     const std::vector<Cluster>* wall_clusters = nullptr;
 
-    /// Factor on the pairs of water with water and walls and on its weight; 0 leaves them out, in those steps
-    /// of the air in which the water only drifts.
-    double water_weight = 1;
-    std::array<bool, phase_count> loading = {true, true};  ///< phases whose forces on bodies count
+    /// Factor on the pairs of the slow fluid with itself and walls and on its weight; 0 leaves them out, in
+    /// those steps of the fast fluid in which the slow one only drifts.
+    double slow_weight = 1;
+    /// Phase of each group: water and air, or water twice.
+    std::array<std::size_t, group_count> phase_of = {0, 1};
+    std::array<bool, group_count> loading = {true, true};  ///< groups whose forces on bodies count
     std::size_t fixed_walls = 0;  ///< boundary particles from here on belong to bodies
 
     double* density_rate = nullptr;

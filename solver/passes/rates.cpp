@@ -37,13 +37,15 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
                              model.wall_pressure == WallPressure::shepard};
     in.threads = setup.execution.threads;
     in.fixed_walls = fixed_walls;
+    if (setup.fast_water()) in.phase_of = {0, 0};
     return in;
 }
 
 NeighbourList list_for(const RatesSetup& setup, double skin, bool with_wall_lists) {
     const double support = 2 * setup.model.smoothing_ratio * setup.particle_spacing;
-    return {setup.domain,    setup.particle_spacing, support,       skin,
-            with_wall_lists, setup.model.ends(),     setup.coarsest};
+    const double slow_fineness = setup.fast_water() ? 1.0 / setup.model.coarse_substeps : 0;
+    return {setup.domain,    setup.particle_spacing, support,        skin,
+            with_wall_lists, setup.model.ends(),     setup.coarsest, slow_fineness};
 }
 
 }  // namespace
@@ -56,6 +58,7 @@ Rates::Rates(const RatesSetup& setup, Flow& flow)
       list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
                      needs_wall_means(setup.model) || !flow.bodies.empty())),
       listed_bodies_(flow.bodies) {
+    for (RigidBody& body : flow.bodies) body.in_fast_water = setup.fast_water();
     list_.sort_fixed_walls(flow.walls);
     if (setup.execution.precision == Precision::mixed)
         mixed_.emplace(setup.domain, setup.coarsest * constants_.kernel.support_radius());
@@ -86,9 +89,10 @@ PassInput Rates::inputs(const Flow& flow) const {
 PassInput Rates::pass_input(Flow& flow, double substep_weight) const {
     PassInput in = constants_;
     set_state(in, flow, list_);
-    in.water_weight = substep_weight;
-    if (substep_weight == 0) in.shares = &list_.air_shares();
-    if (setup_.model.full_kernel_sum > 0 && substep_weight > 0) in.kernel_sum = flow.fluid.kernel_sum.data();
+    in.slow_weight = substep_weight;
+    if (substep_weight == 0) in.shares = &list_.fast_shares();
+    const bool sums_water = substep_weight > 0 || setup_.fast_water();
+    if (setup_.model.full_kernel_sum > 0 && sums_water) in.kernel_sum = flow.fluid.kernel_sum.data();
     in.new_wall_mean = flow.walls.mean.data();
     in.density_rate = flow.fluid.density_rate.data();
     in.acceleration_x = flow.fluid.acceleration_x.data();
@@ -106,10 +110,9 @@ void Rates::build_list(Flow& flow) {
     std::fill(flow.walls.force_x.begin(), flow.walls.force_x.end(), 0.0);
     std::fill(flow.walls.force_y.begin(), flow.walls.force_y.end(), 0.0);
     ++list_builds_;
-    water_near_air_ = 0;
+    summed_in_each_step_ = 0;
     for (const Cluster& cluster : list_.clusters())
-        if (cluster.phase == Phase::water && cluster.fluid_neighbours[1] > 0)
-            water_near_air_ += cluster.count;
+        if (!cluster.slow || cluster.fluid_neighbours[1] > 0) summed_in_each_step_ += cluster.count;
 }
 
 void Rates::refresh_list(Flow& flow, double farthest) {
@@ -117,13 +120,13 @@ void Rates::refresh_list(Flow& flow, double farthest) {
     if (!list_.still_complete(farthest, flow.fluid, flow.walls, setup_.execution.threads)) build_list(flow);
 }
 
-bool Rates::means_in_density() const {
-    return reads_means_in_density(setup_.model);
+bool Rates::means_in_density(double substep_weight) const {
+    return (substep_weight > 0 || setup_.fast_water()) && reads_means_in_density(setup_.model);
 }
 
 void Rates::wall_means(Flow& flow, double substep_weight) {
-    const bool for_air = setup_.model.wall_pressure == WallPressure::shepard;
-    if (!needs_wall_means(setup_.model) || (substep_weight == 0 && !for_air)) return;
+    const bool for_fast = setup_.fast_water() || setup_.model.wall_pressure == WallPressure::shepard;
+    if (!needs_wall_means(setup_.model) || (substep_weight == 0 && !for_fast)) return;
     const StageTimer timer(stages_.walls);
     passes_.wall_means(pass_input(flow, substep_weight));
 }
@@ -155,7 +158,7 @@ void Rates::momentum(Flow& flow, double substep_weight) {
     passes_.accelerations(pass_input(flow, substep_weight));
     if (const double frequency = setup_.model.central_frequency; frequency > 0) {
         for (std::size_t i = 0; i < fluid.size(); ++i) {
-            const double pull = (i < fluid.water ? substep_weight : 1) * (frequency * frequency);
+            const double pull = (i < list_.slow() ? substep_weight : 1) * (frequency * frequency);
             fluid.acceleration_x[i] -= pull * fluid.state[i].x;
             fluid.acceleration_y[i] -= pull * fluid.state[i].y;
         }
@@ -164,7 +167,7 @@ void Rates::momentum(Flow& flow, double substep_weight) {
         const FrameForces frame = frame_forces(flow);
         for (std::size_t i = 0; i < fluid.size(); ++i) {
             const FluidState& p = fluid.state[i];
-            const Vec2 force = (i < fluid.water ? substep_weight : 1) * frame.at(p.position(), p.velocity());
+            const Vec2 force = (i < list_.slow() ? substep_weight : 1) * frame.at(p.position(), p.velocity());
             fluid.acceleration_x[i] += force.x();
             fluid.acceleration_y[i] += force.y();
         }
@@ -220,8 +223,8 @@ void Rates::body_loads(Flow& flow, double substep_weight, double remaining) {
         for (std::size_t b = 0; b < flow.bodies.size(); ++b)
             flow.bodies[b].set_slow_load(load(b), gravity(flow.bodies[b]));
     }
-    const bool has_air = flow.fluid.water < flow.fluid.size();
-    if (has_air) {
+    const bool has_fast = list_.slow() < flow.fluid.size();
+    if (has_fast) {
         in.loading = {false, true};
         passes_.body_forces(in);
     }
@@ -230,7 +233,7 @@ void Rates::body_loads(Flow& flow, double substep_weight, double remaining) {
     for (std::size_t b = 0; b < flow.bodies.size(); ++b) {
         RigidBody& body = flow.bodies[b];
         body.set_restraint(remaining);
-        body.set_fast_load(has_air ? load(b) : BodyLoad{}, gravity(body), flow.time,
+        body.set_fast_load(has_fast ? load(b) : BodyLoad{}, gravity(body), flow.time,
                            frame.angular_acceleration);
     }
 }
@@ -253,15 +256,15 @@ void Rates::mark_impacts(Flow& flow, double fastest) {
     }
 }
 
-DensityUpdate Rates::density_update(Flow& flow, Phase phase, double dt, double substep_weight) const {
+DensityUpdate Rates::density_update(Flow& flow, std::size_t group, double dt, double substep_weight) const {
     const Model& model = setup_.model;
-    const bool water = phase == Phase::water;
+    const bool slow = group == 0, water = constants_.phase_of[group] == 0;
     DensityUpdate update;
     update.rate = flow.fluid.density_rate.data();
     update.mass = flow.fluid.mass.data();
     update.mixed = mixed_fluid();
-    update.first = water ? 0 : flow.fluid.water;
-    update.last = water ? flow.fluid.water : flow.fluid.size();
+    update.first = slow ? 0 : list_.slow();
+    update.last = slow ? list_.slow() : flow.fluid.size();
     update.dt = dt;
     update.graded = setup_.graded();
     update.eos = water ? model.water.eos : model.air.eos;
@@ -269,7 +272,8 @@ DensityUpdate Rates::density_update(Flow& flow, Phase phase, double dt, double s
     DensityBounds& bounds = update.bounds;
     bounds.lowest =
         (water && !model.negative_pressure ? 1 : lowest_density_ratio) * update.eos.reference_density;
-    if (dt > 0 && water && model.full_kernel_sum > 0 && substep_weight > 0)
+    const bool summed = !slow || substep_weight > 0;
+    if (dt > 0 && water && model.full_kernel_sum > 0 && summed)
         bounds.kernel_sum = flow.fluid.kernel_sum.data();
     bounds.full_kernel_sum = model.full_kernel_sum;
     const double weight = model.gravity.norm() * setup_.particle_spacing;
@@ -279,8 +283,8 @@ DensityUpdate Rates::density_update(Flow& flow, Phase phase, double dt, double s
 }
 
 void Rates::update_density(Flow& flow, double dt, double substep_weight) {
-    for (const Phase phase : {Phase::water, Phase::air})
-        passes_.update_density(flow.fluid.state.data(), density_update(flow, phase, dt, substep_weight));
+    for (std::size_t group = 0; group < group_count; ++group)
+        passes_.update_density(flow.fluid.state.data(), density_update(flow, group, dt, substep_weight));
 }
 
 double Rates::momentum_error(const Flow& flow) const {

@@ -2,8 +2,9 @@
 // The model applied to a flow: neighbour list, means at walls, rates of density and velocity, loads on
 // bodies.
 //
-// The substep weight says how often the pairs of water with water and walls count: the number of steps of the
-// air in one of the water, or 0 in those in which the water only drifts (see time/verlet.hpp).
+// The substep weight says how often the pairs of the slow fluid with itself and walls count: the number of
+// steps of the fast fluid in one of the slow, or 0 in those in which the slow one only drifts (see
+// time/verlet.hpp).
 #pragma once
 
 #include <initializer_list>
@@ -19,7 +20,7 @@ namespace wetdeck {
 
 /// The constants of a simulation that its rates depend on.
 struct RatesSetup {
-    Model model;                  ///< with air_substeps resolved
+    Model model;                  ///< with both numbers of substeps resolved
     Execution execution;          ///< with threads resolved
     double particle_spacing = 0;  ///< [m]
     Box domain;                   ///< interior of the tank [m]
@@ -27,6 +28,10 @@ struct RatesSetup {
 
     /// Whether particles differ in their spacings.
     bool graded() const { return coarsest > 1; }
+    /// Whether the fast fluid is the fine water.
+    bool fast_water() const { return model.coarse_substeps > 1; }
+    /// Steps of the fast fluid in one of the slow.
+    int substeps() const { return fast_water() ? model.coarse_substeps : model.air_substeps; }
 };
 
 /// Evaluates rates. It owns the list of neighbours and no part of the flow.
@@ -41,8 +46,8 @@ class Rates {
     /// it incomplete.
     void refresh_list(Flow& flow, double farthest);
 
-    /// Whether the density pass reads the means at walls.
-    bool means_in_density() const;
+    /// Whether a density pass with this weight reads the means at walls.
+    bool means_in_density(double substep_weight) const;
     /// Pressure, velocity and kernel sum of the fluid around each boundary particle, where the model uses
     /// them.
     void wall_means(Flow& flow, double substep_weight);
@@ -50,15 +55,15 @@ class Rates {
     void density(Flow& flow, double substep_weight);
     /// Accelerations of the fluid.
     void momentum(Flow& flow, double substep_weight);
-    /// Loads on the bodies, Eqs. (20)-(21), and their accelerations. Those of the water are kept between its
-    /// steps.
+    /// Loads on the bodies, Eqs. (20)-(21), and their accelerations. Those of the slow fluid are kept between
+    /// its steps.
     /// @param remaining  time from the present velocities of the bodies to those at their poses [s]
     void body_loads(Flow& flow, double substep_weight, double remaining = 0);
     /// Marks the particles on which the dissipation switch is on, Eqs. (14)-(15).
     /// @param fastest  largest speed in the fluid [m/s]
     void mark_impacts(Flow& flow, double fastest);
     /// Densities from their rates over a step dt [s], volumes and pressures, and a drift over half of it. The
-    /// kernel sum bounds the density of water where the weight is positive.
+    /// kernel sum bounds the density of water in the steps that sum it.
     void update_density(Flow& flow, double dt, double substep_weight);
 
     /// All inputs of a pass over the present state; its outputs are not set.
@@ -82,8 +87,8 @@ class Rates {
     void set_list_builds(std::uint64_t count) { list_builds_ = count; }
     /// The bodies as they were when the list was built.
     const std::vector<RigidBody>& listed_bodies() const { return listed_bodies_; }
-    /// Particles of water that have air near: those that the steps of the air alone sum up.
-    std::uint64_t water_near_air() const { return water_near_air_; }
+    /// Particles that the steps of the fast fluid alone sum up: its own, and slow ones near it.
+    std::uint64_t summed_in_each_step() const { return summed_in_each_step_; }
     StageTimes& stages() { return stages_; }
     const StageTimes& stages() const { return stages_; }
 
@@ -94,7 +99,7 @@ class Rates {
     void copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const;
     double momentum_error(PassInput in, const Flow& flow) const;
     FrameForces frame_forces(const Flow& flow) const;
-    DensityUpdate density_update(Flow& flow, Phase phase, double dt, double substep_weight) const;
+    DensityUpdate density_update(Flow& flow, std::size_t group, double dt, double substep_weight) const;
     void apply_sponge_layer(const FluidParticles& fluid,
                             std::initializer_list<std::vector<double>*> rates) const;
 
@@ -105,7 +110,7 @@ class Rates {
     mutable std::optional<MixedFluid> mixed_;  ///< in mixed precision
     mutable bool mixed_is_current_ = false;    ///< whether it holds the fluid as it is now
     std::vector<RigidBody> listed_bodies_;
-    std::uint64_t list_builds_ = 0, water_near_air_ = 0;
+    std::uint64_t list_builds_ = 0, summed_in_each_step_ = 0;
     StageTimes stages_;
 };
 

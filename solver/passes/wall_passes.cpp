@@ -14,14 +14,17 @@ namespace {
 template <bool graded>
 void wall_means(const PassInput& in) {
     const auto cluster_count = static_cast<std::int64_t>(in.wall_clusters->size());
+    const bool fast_water = in.phase_of[1] == 0;
 #pragma omp parallel for schedule(static) num_threads(in.threads)
     for (std::int64_t n = 0; n < cluster_count; ++n) {
         const Cluster& cluster = (*in.wall_clusters)[static_cast<std::size_t>(n)];
+        if (fast_water && in.slow_weight == 0 && cluster.fluid_neighbours[1] == 0) continue;
         const WallLanes w = load(in, cluster);
         const PairKernels<graded, Pack> kernels(in, 1, w);
         Pack pressure_sum = 0.0, weight_sum = 0.0, vx_sum = 0.0, vy_sum = 0.0, kernel_sum = 0.0;
         const std::uint32_t count =
-            cluster.fluid_neighbours[0] + (in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
+            cluster.fluid_neighbours[0] +
+            (fast_water || in.wall_pressure_mean[1] ? cluster.fluid_neighbours[1] : 0);
         const std::uint32_t* neighbours = fluid_neighbours(*in.blocks, cluster, 0).data();
         for (std::uint32_t k = 0; k < count; ++k) {
             const FluidState& f = in.fluid[neighbours[k]];
@@ -93,10 +96,11 @@ void body_forces(const PassInput& in) {
             mean.lanes[lane] = in.wall_mean[cluster.first + std::min(lane, cluster.count - 1)].pressure;
         }
         VectorSum sum;
-        for (std::size_t phase = 0; phase < phase_count; ++phase) {
-            if (!in.loading[phase]) continue;
+        for (std::size_t group = 0; group < group_count; ++group) {
+            if (!in.loading[group]) continue;
+            const std::size_t phase = in.phase_of[group];
             choose_reactions<no_slip, graded>(in, phase)(
-                in, w, mean, fluid_neighbours(*in.blocks, cluster, phase), in.wall_pair[phase], sum);
+                in, w, mean, fluid_neighbours(*in.blocks, cluster, group), in.wall_pair[phase], sum);
         }
         Pack volume = factor;
         if constexpr (graded) volume = factor / (w.fineness * w.fineness);

@@ -65,6 +65,7 @@ struct Model {
     double courant_number = 0.5;   ///< of the acoustic criterion, Eq. (26) has 0.25
     double fixed_step = 0;         ///< size of every step [s], 0: the stable step, Eq. (26)
     int air_substeps = 1;          ///< steps of the air in one of the water, odd; 0: from the sound speeds
+    int coarse_substeps = 1;       ///< of fine water in one of coarse, odd; 0: as many as pay
 
     /// What is beyond the ends of the domain.
     DomainEnds ends() const {

@@ -104,6 +104,7 @@ MixedParticles mixed_particles(const Simulation& simulation) {
         });
     };
     MixedParticles mixed;
+    if (fluid.water == fluid.size()) return mixed;  // groups are then coarse and fine
     for (const Cluster& cluster : list.clusters()) {
         const auto own = static_cast<std::size_t>(cluster.phase);
         const Neighbours same = fluid_neighbours(list.blocks(), cluster, own);

@@ -6,10 +6,12 @@
 // pressure jump. The paper has C = 0.25, the default is 0.5: the second criterion is then
 // 0.7 h c_0 / (f c^2). From 0.77 on, with h = 1.5 dx, a pressure that changes its sign from row to
 // row of a square lattice grows. Where the air takes m steps in one of the water, the criteria of
-// the air bound a step of the water at m times their size.
+// the air bound a step of the water at m times their size; where fine water takes m steps in one of the
+// coarse, so do those of the fine water, and the last one has the h of the coarse.
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "solver/particles/fluid.hpp"
 #include "solver/physics/model.hpp"
@@ -50,14 +52,22 @@ struct Extremes {
 /// one with the dissipation switch, which needs the whole rates at each step.
 int air_substeps(const Model& model);
 
-/// The stable step of the water, which is that of the whole model.
+/// Steps of fine water in one of the coarse, which is as many times coarser than the finest, or more: as the
+/// model says or, where it says 0, the odd number that leaves the fewest particle-steps, or 1 where that
+/// spares less than a tenth of them. Throws InputError for an even number, and for more than one with the
+/// dissipation switch.
+/// @param finenesses  of the particles
+int coarse_substeps(const Model& model, const std::vector<double>& finenesses);
+
+/// The stable step of the slow fluid, which is that of the whole model.
 /// @param model             for its fluids and its Courant number
 /// @param smoothing_length  h [m]
 /// @param extremes          of the present state
 /// @param has_water         a phase without particles does not limit
 /// @param has_air           likewise
+/// @param coarse_substeps   steps of fine water in one of the coarse; h is that of the fine
 TimeStep stable_time_step(const Model& model, double smoothing_length, const Extremes& extremes,
-                          bool has_water, bool has_air);
+                          bool has_water, bool has_air, int coarse_substeps = 1);
 
 /// The step, or a shorter one that resolves contact: a fifth of 1/omega, a tenth of what velocity Verlet
 /// bears.

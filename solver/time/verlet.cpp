@@ -121,7 +121,7 @@ std::optional<Instability> advance(Flow& flow, Rates& rates, const Substep& subs
     const double middle = substep.middle() ? all : 0, after = substep.last() ? all : 0;
     const double moved = kick_and_drift(flow, rates, 0.5 * substep.dt, before);
     rates.refresh_list(flow, moved);
-    if (rates.means_in_density() && substep.middle()) rates.wall_means(flow, middle);
+    if (rates.means_in_density(middle)) rates.wall_means(flow, middle);
     rates.density(flow, middle);
     const double moved_by_guide = update_and_drift(flow, rates, substep.dt, middle);
     rates.refresh_list(flow, std::max(moved, moved_by_guide));

@@ -131,6 +131,18 @@ Setup graded_tank(const Model& model, std::uint64_t seed) {
     return setup;
 }
 
+Setup graded_water(const Model& model, std::uint64_t seed) {
+    Setup setup = graded_tank(model, seed);
+    FluidParticles water;
+    for (std::size_t i = 0; i < setup.fluid.water; ++i) {
+        const FluidState& p = setup.fluid.state[i];
+        water.add(Phase::water, p.position(), setup.fluid.mass[i], p.density, p.fineness);
+        water.state.back() = p;
+    }
+    setup.fluid = std::move(water);
+    return setup;
+}
+
 Setup dam_break(const Model& model, Vec2 column, Vec2 tank, double particle_spacing, bool with_air) {
     Setup setup(model, {{0, 0}, tank}, particle_spacing, true);
     const auto fill = [&](Phase phase, Box box) {

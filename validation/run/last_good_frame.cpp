@@ -9,7 +9,7 @@
 namespace wetdeck {
 
 std::uint64_t inspection_interval(const Simulation& simulation, std::uint64_t steps, std::uint64_t least) {
-    const auto substeps = static_cast<std::uint64_t>(simulation.model().air_substeps);
+    const auto substeps = static_cast<std::uint64_t>(simulation.substeps());
     return std::max(least, steps / std::bit_ceil(substeps));
 }
 

@@ -40,6 +40,7 @@ double processor_seconds() {
 
 /// Every model ingredient and number, as the simulation took them.
 void record_parameters(RunRecord& record, Scene scene, const Simulation& simulation) {
+    record.provenance["setup_identity"] = setup_identity(scene);
     scene.model = simulation.model();
     scene.execution = simulation.execution();
     auto& numbers = record.parameters;
@@ -61,7 +62,6 @@ void record_parameters(RunRecord& record, Scene scene, const Simulation& simulat
     numbers["run.end_time"] = scene.end_time;
     numbers["scheme_revision"] = scheme_revision;
     record.provenance["parameters"] = parameters_json(scene).dump();
-    record.provenance["setup_identity"] = setup_identity(scene);
     record.provenance["resolved_scene"] = scene.resolved;
     record.provenance["air"] = scene.air ? "yes" : "no";
 }

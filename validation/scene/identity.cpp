@@ -52,6 +52,7 @@ json parameters_json(const Scene& scene) {
     json parameters = {{"gravity_x", scene.model.gravity.x()}, {"gravity_y", scene.model.gravity.y()}};
     for (const auto& [key, value] : parameters_of(scene))
         std::visit([&parameters, &name = key](const auto& v) { parameters[name] = v; }, value);
+    if (!takes_coarse_substeps(scene)) parameters.erase("model.coarse_substeps");
     if (const auto& resolution = scene.resolution) {
         parameters["resolution.around"] = boxes_json({resolution->box}).at(0);
         parameters["resolution.growth"] = resolution->growth;

@@ -133,18 +133,16 @@ ModelKey background_pressure_row() {
     return removable(std::move(row), "background pressure", 0.0, linear_pressure_mean);
 }
 
-ModelKey air_substeps_row() {
-    ModelKey row{"model", "air_substeps", "steps of the air in one of the water; 0: from the sound speeds",
-                 "-", ""};
+ModelKey substeps(const char* key, int Model::*member, const char* meaning) {
+    ModelKey row{"model", key, meaning, "-", ""};
     row.high = 99;
     row.odd = true;
     row.default_note = "0";
-    row.get = [](const Scene& s) -> KeyValue { return static_cast<double>(s.model.air_substeps); };
-    row.set = [](Scene& s, const KeyValue& v) {
-        s.model.air_substeps = static_cast<int>(std::get<double>(v));
+    row.get = [member](const Scene& s) -> KeyValue { return static_cast<double>(s.model.*member); };
+    row.set = [member](Scene& s, const KeyValue& v) {
+        s.model.*member = static_cast<int>(std::get<double>(v));
     };
-    return removable(std::move(row), "steps of the air", 1.0,
-                     [](const Scene& s) { return s.air && air_substeps(s.model) > 1; });
+    return row;
 }
 
 ModelKey skin_row() {
@@ -263,7 +261,14 @@ std::vector<ModelKey> rows() {
             "velocity factor of the switched dissipation: modulus of the arithmetic or harmonic mean of the "
             "projections, or of the mean velocity",
             "Eq. (14)"),
-        air_substeps_row(),
+        removable(substeps("air_substeps", &Model::air_substeps,
+                           "steps of the air in one of the water; 0: from the sound speeds"),
+                  "steps of the air", 1.0, [](const Scene& s) { return s.air && air_substeps(s.model) > 1; }),
+        removable(substeps("coarse_substeps", &Model::coarse_substeps,
+                           "steps of fine water in one of water that is so many times coarser, where "
+                           "[resolution] lets spacings differ; 0: as many as pay"),
+                  "longer steps of coarse water", 1.0,
+                  [](const Scene& s) { return takes_coarse_substeps(s) && s.model.coarse_substeps != 1; }),
         choice("velocity_mean", &Model::velocity_mean, means, "inter-particle mean of velocities",
                "Eq. (11)"),
         choice("pressure_mean", &Model::pressure_mean, means, "inter-particle mean of pressures", "Eq. (11)"),

@@ -27,15 +27,17 @@ Material read_material(const TomlTable& table) {
 void set_defaults(Scene& scene) {
     scene.model.negative_pressure = scene.air;
     scene.model.air_substeps = 0;
+    scene.model.coarse_substeps = 0;
     scene.execution.skin = (scene.air ? 1 : 2) * Execution{}.skin;
 }
 
 /// Choices that contradict each other.
 void check_choices(const TomlTable& model, const Scene& scene) {
     const Model& m = scene.model;
-    if (m.air_substeps > 1 && m.dissipation_switch)
-        model.fail("air_substeps",
-                   fmt::format("is {}, expected 1 with the dissipation switch", m.air_substeps));
+    for (const auto& [key, substeps] :
+         {std::pair{"air_substeps", m.air_substeps}, std::pair{"coarse_substeps", m.coarse_substeps}})
+        if (substeps > 1 && m.dissipation_switch)
+            model.fail(key, fmt::format("is {}, expected 1 with the dissipation switch", substeps));
     if (m.pressure_mean == Mean::harmonic && m.water.eos.background_pressure == 0 && scene.air)
         model.fail("pressure_mean",
                    "the harmonic mean needs a positive background_pressure: it is singular at p <= 0");

@@ -113,6 +113,12 @@ struct Scene {
     const std::string& name() const { return analysis.scene; }
 };
 
+/// Whether coarse water may take longer steps than fine water: spacings differ, and there is no air, which
+/// takes the short steps where there is.
+inline bool takes_coarse_substeps(const Scene& scene) {
+    return scene.resolution && !scene.air;
+}
+
 /// Reads and checks a scene file for one variant (the default one if not named), with KEY=VALUE overrides on
 /// top. Throws InputError "file:line: key 'a.b': what was expected".
 Scene read_scene(const std::filesystem::path& path, const std::optional<std::string>& variant = std::nullopt,

@@ -24,7 +24,8 @@ std::vector<SchemeDifference> scheme_differences(const Scene& scene) {
     source.air = true;  // the source computes both phases unless the variant is one of its own
     apply_scheme(scene.source_scheme, source.model);
     used.model.air_substeps = scene.air ? air_substeps(scene.model) : 1;
-    source.model.air_substeps = 1;
+    if (!takes_coarse_substeps(scene)) used.model.coarse_substeps = 1;
+    source.model.air_substeps = source.model.coarse_substeps = 1;
     for (const ModelKey& row : model_keys()) {
         if (row.table == "execution" || (row.table == "air" && !scene.air)) continue;
         const KeyValue theirs = row.get(source), ours = row.get(used);

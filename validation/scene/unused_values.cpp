@@ -59,6 +59,7 @@ std::vector<Use> uses_of_fluids() {
         {"model", "wall_slip", drags, "it acts through the viscosity, and there is none"},
         {"model", "air_dissipation", moves_air, "there is no air, or model.dissipation has another form"},
         {"model", "air_substeps", has_air, "model.air is false"},
+        {"model", "coarse_substeps", takes_coarse_substeps, "there is no [resolution], or there is air"},
         {"model", "dissipation_slope", low_dissipation, "model.dissipation has another form"},
         {"model", "switch_velocity", switched, "model.dissipation_switch is false"},
         {"model", "mean_guard", has_harmonic_mean, "no mean is harmonic"},
