@@ -84,7 +84,7 @@ Simulation::Simulation(const RatesSetup& setup, Flow flow)
       bounds_(setup.model, setup.domain, rates_.kernel().support_radius()) {
     place_walls(flow_, setup.model.gravity);
     rates_.build_list(flow_);
-    rates_.update_density(flow_, 0, 1);
+    rates_.update_density(flow_, 0, 1, {});
     evaluate();
 }
 
@@ -119,6 +119,7 @@ std::optional<Instability> Simulation::step(double longest) {
         particle_steps_ += substep.last() ? flow_.fluid.size() : rates_.summed_in_each_step();
     }
     if (instability) {
+        rates_.bring_up(flow_);
         instability->time = flow_.time;
         instability->step = steps_ + 1;
     } else {

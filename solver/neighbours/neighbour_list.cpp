@@ -167,24 +167,53 @@ void NeighbourList::sort_fluid(FluidParticles& fluid, int threads) {
     }
     counting_sort(key_, group_count * cells, fluid_cells_.start, order_);
     slow_ = fluid_cells_.start[cells];
-    for_each_field(fluid, [&](const auto& field, auto& values) {
-        if (field.sorted == Sorted::no) return;
-        auto& sorted = sorted_.*field.values;
-        sorted.resize(fluid.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-        for (std::int64_t n = 0; n < size; ++n) {
-            const auto i = static_cast<std::size_t>(n);
-            sorted[i] = values[order_[i]];
-        }
-        std::swap(values, sorted);
-    });
     built_.resize(2 * fluid.size());
+    reorder(fluid, threads);
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         built_[2 * i] = fluid.state[i].x;
         built_[2 * i + 1] = fluid.state[i].y;
     }
+}
+
+/// Brings the fields that follow their particles into the order. Accelerations, which are computed anew, and
+/// the positions of the last build give the room for it, four numbers of a particle at a time.
+void NeighbourList::reorder(FluidParticles& fluid, int threads) {
+    const auto size = static_cast<std::int64_t>(fluid.size());
+    constexpr std::size_t most = 4;
+    const std::array<double*, most> room{fluid.acceleration_x.data(), fluid.acceleration_y.data(),
+                                         built_.data(), built_.data() + fluid.size()};
+    for_each_field(fluid, [&](const auto& field, auto& values) {
+        if (field.sorted == Sorted::no) return;
+        if constexpr (sizeof(values[0]) == sizeof(key_[0])) {
+#pragma omp parallel for schedule(static) num_threads(threads)
+            for (std::int64_t n = 0; n < size; ++n)
+                key_[static_cast<std::size_t>(n)] = values[order_[static_cast<std::size_t>(n)]];
+            std::swap(values, key_);
+        } else {
+            constexpr std::size_t width = sizeof(values[0]) / sizeof(double);
+            auto* const numbers = reinterpret_cast<double*>(values.data());
+            for (std::size_t first = 0; first < width; first += most) {
+                const std::size_t count = std::min(most, width - first);
+#pragma omp parallel num_threads(threads)
+                {
+#pragma omp for schedule(static)
+                    for (std::int64_t n = 0; n < size; ++n) {
+                        const auto i = static_cast<std::size_t>(n);
+                        const double* from = numbers + width * order_[i] + first;
+                        for (std::size_t k = 0; k < count; ++k) room[k][i] = from[k];
+                    }
+#pragma omp for schedule(static)
+                    for (std::int64_t n = 0; n < size; ++n) {
+                        const auto i = static_cast<std::size_t>(n);
+                        double* to = numbers + width * i + first;
+                        for (std::size_t k = 0; k < count; ++k) to[k] = room[k][i];
+                    }
+                }
+            }
+        }
+    });
 }
 
 /// Sorts the images like the fluid: by group, then along the grid.
@@ -304,7 +333,6 @@ std::size_t NeighbourList::bytes() const {
     const auto add = [&sum](const auto&, const auto& values) {
         sum += values.capacity() * sizeof(values[0]);
     };
-    for_each_field(sorted_, add);
     for_each_field(sorted_walls_, add);
     for (const auto& block : blocks_) sum += block.capacity() * sizeof(std::uint32_t);
     return sum;

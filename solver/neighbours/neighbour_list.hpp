@@ -97,6 +97,7 @@ class NeighbourList {
         return slow ? 0 : 1;
     }
     void sort_fluid(FluidParticles& fluid, int threads);
+    void reorder(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells);
     void collect_moves(const FluidParticles& fluid, const WallParticles& walls, int threads);
@@ -123,8 +124,7 @@ class NeighbourList {
     std::vector<double> built_;     ///< x, y of each fluid particle at the last build
     std::vector<Vec2> built_body_;  ///< positions of the bodies' particles then
     std::vector<std::uint32_t> key_, order_;
-    FluidParticles sorted_;  ///< scratch of the sort, kept to avoid allocation
-    WallParticles sorted_walls_;
+    WallParticles sorted_walls_;  ///< scratch of the sort, kept to avoid allocation
 };
 
 }  // namespace wetdeck

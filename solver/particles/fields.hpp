@@ -11,7 +11,8 @@
 
 namespace wetdeck {
 
-/// Whether a field follows its particle when particles are sorted, or is computed anew before it is read.
+/// Whether a field follows its particle when particles are sorted, or is computed anew before it is read
+/// (a sort may write to it).
 enum class Sorted : bool { no, yes };
 /// Whether a checkpoint holds a field.
 enum class Stored : bool { no, yes };

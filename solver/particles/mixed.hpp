@@ -81,4 +81,12 @@ class MixedFluid {
     std::vector<MixedState> state_;
 };
 
+/// What a kick and a drift change of a particle in single precision.
+inline void copy_motion(const FluidState& from, FixedPoint fixed_point, MixedState& to) {
+    to.x = fixed_point.fixed(from.x);
+    to.y = fixed_point.fixed(from.y);
+    to.vx = static_cast<float>(from.vx);
+    to.vy = static_cast<float>(from.vy);
+}
+
 }  // namespace wetdeck

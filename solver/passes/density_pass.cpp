@@ -211,7 +211,7 @@ constexpr DensityTerms of_air = {terms.harmonic_velocity,
 
 template <class Precise, DensityTerms terms>
 void density_rates(const PassInput& in) {
-    for_clusters(in, [&in](const Cluster& cluster) {
+    in.clusters.for_each([&in](const Cluster& cluster, int) {
         if (cluster.phase == Phase::air) {
             cluster_density_rates<Precise, of_air<terms>>(in, cluster);
         } else if (in.kernel_sum && !drifts(in, cluster)) {

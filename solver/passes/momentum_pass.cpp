@@ -118,7 +118,7 @@ auto choose_wall_sum(const PassInput& in, std::size_t phase) {
 
 template <class Precise, MomentumTerms terms>
 void accelerations(const PassInput& in) {
-    for_clusters(in, [&in](const Cluster& cluster) {
+    in.clusters.for_each([&in](const Cluster& cluster, int) {
         if (idle(in, cluster)) {
             store(0.0, in.acceleration_x, cluster);
             return store(0.0, in.acceleration_y, cluster);

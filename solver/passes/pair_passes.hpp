@@ -20,11 +20,14 @@ struct DensityUpdate {
     const double* rate = nullptr;  ///< [kg/(m^3 s)]
     const double* mass = nullptr;  ///< [kg/m]
     MixedFluid* mixed = nullptr;   ///< is kept up where there is one
-    std::size_t first = 0, last = 0;
+    SharedClusters clusters;
     double dt = 0;  ///< [s]
-    TaitEquationOfState eos;
-    DensityBounds bounds;
-    int threads = 1;
+    ClusterSweep sweep;
+    struct Group {
+        TaitEquationOfState eos;
+        DensityBounds bounds;
+    };
+    std::array<Group, group_count> groups;
     bool graded = false;  ///< particles differ in their spacings
 };
 
@@ -36,7 +39,7 @@ struct PairPasses {
     Pass density_rates = nullptr;  ///< Eq. (12), continuity
     Pass accelerations = nullptr;  ///< Eq. (12), momentum
     Pass body_forces = nullptr;    ///< Eq. (20); writes wall_force of bodies that have fluid near
-    /// Density from its rate over dt, then volume and pressure, and the drift over dt / 2, in one sweep.
+    /// Density from its rate over dt, then volume and pressure, and the drift, in one sweep.
     void (*update_density)(FluidState*, const DensityUpdate&) = nullptr;
     NearFilter filter_near = nullptr;  ///< for the neighbour list
 };

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "solver/neighbours/cluster.hpp"
+#include "solver/neighbours/shared_clusters.hpp"
 #include "solver/particles/mixed.hpp"
 #include "solver/particles/walls.hpp"
 #include "solver/passes/coefficients.hpp"
@@ -37,8 +37,7 @@ struct PassInput {
     const double* wall_own_sum = nullptr;
     const double* wall_fineness = nullptr;    ///< read where spacings differ
     const NeighbourBlocks* blocks = nullptr;  ///< neighbours of all clusters
-    const std::vector<Cluster>* clusters = nullptr;
-    const std::vector<std::size_t>* shares = nullptr;  ///< of the clusters, one a thread (equal_shares)
+    SharedClusters clusters;
     const std::vector<Cluster>* wall_clusters = nullptr;
 
     /// Factor on the pairs of the slow fluid with itself and walls and on its weight; 0 leaves them out, in

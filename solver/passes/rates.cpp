@@ -57,6 +57,7 @@ Rates::Rates(const RatesSetup& setup, Flow& flow)
       constants_(constants_of(setup, flow.walls.fixed)),
       list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
                      needs_wall_means(setup.model) || !flow.bodies.empty())),
+      next_(static_cast<std::size_t>(setup.execution.threads)),
       listed_bodies_(flow.bodies) {
     for (RigidBody& body : flow.bodies) body.in_fast_water = setup.fast_water();
     list_.sort_fixed_walls(flow.walls);
@@ -74,8 +75,7 @@ void Rates::set_state(PassInput& in, const Flow& flow, const NeighbourList& list
     in.wall_own_sum = flow.walls.own_sum.data();
     in.wall_fineness = flow.walls.fineness.data();
     in.blocks = &list.blocks();
-    in.clusters = &list.clusters();
-    in.shares = &list.shares();
+    in.clusters = shared(list, list.shares());
     in.wall_clusters = &list.wall_clusters();
 }
 
@@ -90,7 +90,7 @@ PassInput Rates::pass_input(Flow& flow, double substep_weight) const {
     PassInput in = constants_;
     set_state(in, flow, list_);
     in.slow_weight = substep_weight;
-    if (substep_weight == 0) in.shares = &list_.fast_shares();
+    if (substep_weight == 0) in.clusters = shared(list_, list_.fast_shares());
     const bool sums_water = substep_weight > 0 || setup_.fast_water();
     if (setup_.model.full_kernel_sum > 0 && sums_water) in.kernel_sum = flow.fluid.kernel_sum.data();
     in.new_wall_mean = flow.walls.mean.data();
@@ -117,6 +117,7 @@ void Rates::build_list(Flow& flow) {
 
 void Rates::refresh_list(Flow& flow, double farthest) {
     const StageTimer timer(stages_.neighbours);
+    if (list_.slack() < 2 * farthest) bring_up(flow);  // the list looks where everything is
     if (!list_.still_complete(farthest, flow.fluid, flow.walls, setup_.execution.threads)) build_list(flow);
 }
 
@@ -256,19 +257,36 @@ void Rates::mark_impacts(Flow& flow, double fastest) {
     }
 }
 
-DensityUpdate Rates::density_update(Flow& flow, std::size_t group, double dt, double substep_weight) const {
+SharedClusters Rates::shared(const NeighbourList& list, const std::vector<std::size_t>& shares) const {
+    return {list.clusters().data(), shares.data(), next_.data(), setup_.execution.threads};
+}
+
+ClusterSweep Rates::sweep(double drift, bool all) {
+    const ClusterSweep sweep{all || !lets_rest(), drift, drift + left_out_};
+    left_out_ = sweep.all ? 0 : sweep.drift_of_resting;
+    return sweep;
+}
+
+void Rates::bring_up(Flow& flow) {
+    if (left_out_ == 0) return;
+    MixedFluid* const mixed = mixed_fluid();
+    for (const Cluster& cluster : list_.clusters()) {
+        if (!cluster.rests()) continue;
+        for (std::size_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+            FluidState& p = flow.fluid.state[i];
+            p.x += left_out_ * p.vx;
+            p.y += left_out_ * p.vy;
+            if (mixed) copy_motion(p, mixed->fixed_point(), mixed->data()[i]);
+        }
+    }
+    left_out_ = 0;
+}
+
+DensityUpdate::Group Rates::density_update(const Flow& flow, std::size_t group, double dt,
+                                           double substep_weight) const {
     const Model& model = setup_.model;
     const bool slow = group == 0, water = constants_.phase_of[group] == 0;
-    DensityUpdate update;
-    update.rate = flow.fluid.density_rate.data();
-    update.mass = flow.fluid.mass.data();
-    update.mixed = mixed_fluid();
-    update.first = slow ? 0 : list_.slow();
-    update.last = slow ? list_.slow() : flow.fluid.size();
-    update.dt = dt;
-    update.graded = setup_.graded();
-    update.eos = water ? model.water.eos : model.air.eos;
-    update.threads = setup_.execution.threads;
+    DensityUpdate::Group update{water ? model.water.eos : model.air.eos, {}};
     DensityBounds& bounds = update.bounds;
     bounds.lowest =
         (water && !model.negative_pressure ? 1 : lowest_density_ratio) * update.eos.reference_density;
@@ -282,9 +300,18 @@ DensityUpdate Rates::density_update(Flow& flow, std::size_t group, double dt, do
     return update;
 }
 
-void Rates::update_density(Flow& flow, double dt, double substep_weight) {
+void Rates::update_density(Flow& flow, double dt, double substep_weight, const ClusterSweep& sweep) {
+    DensityUpdate update;
+    update.rate = flow.fluid.density_rate.data();
+    update.mass = flow.fluid.mass.data();
+    update.mixed = mixed_fluid();
+    update.clusters = clusters();
+    update.dt = dt;
+    update.sweep = sweep;
     for (std::size_t group = 0; group < group_count; ++group)
-        passes_.update_density(flow.fluid.state.data(), density_update(flow, group, dt, substep_weight));
+        update.groups[group] = density_update(flow, group, dt, substep_weight);
+    update.graded = setup_.graded();
+    passes_.update_density(flow.fluid.state.data(), update);
 }
 
 double Rates::momentum_error(const Flow& flow) const {

@@ -62,9 +62,24 @@ class Rates {
     /// Marks the particles on which the dissipation switch is on, Eqs. (14)-(15).
     /// @param fastest  largest speed in the fluid [m/s]
     void mark_impacts(Flow& flow, double fastest);
-    /// Densities from their rates over a step dt [s], volumes and pressures, and a drift over half of it. The
-    /// kernel sum bounds the density of water in the steps that sum it.
-    void update_density(Flow& flow, double dt, double substep_weight);
+    /// Densities from their rates over a step dt [s], volumes and pressures, and a drift. The kernel sum
+    /// bounds the density of water in the steps that sum it.
+    void update_density(Flow& flow, double dt, double substep_weight, const ClusterSweep& sweep);
+    /// A sweep in which the fluid drifts for `drift` [s]. Clusters that rest are left out unless `all` are
+    /// taken; the next sweep that takes them makes up for it, or a look at the list.
+    ClusterSweep sweep(double drift, bool all);
+    /// The same without a drift.
+    ClusterSweep sweep(bool all) const { return {all || !lets_rest(), 0, 0}; }
+    /// Moves the clusters that rest to where they are now.
+    void bring_up(Flow& flow);
+    /// The largest speed of a step of the slow fluid so far: that of this sweep [m/s], or of the first, which
+    /// took all clusters.
+    double fastest_of_step(double of_sweep, bool first) {
+        fastest_at_first_ = first ? of_sweep : std::max(of_sweep, fastest_at_first_);
+        return fastest_at_first_;
+    }
+    /// All clusters, for work on them.
+    SharedClusters clusters() const { return shared(list_, list_.shares()); }
 
     /// All inputs of a pass over the present state; its outputs are not set.
     PassInput inputs(const Flow& flow) const;
@@ -99,7 +114,11 @@ class Rates {
     void copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const;
     double momentum_error(PassInput in, const Flow& flow) const;
     FrameForces frame_forces(const Flow& flow) const;
-    DensityUpdate density_update(Flow& flow, std::size_t group, double dt, double substep_weight) const;
+    SharedClusters shared(const NeighbourList& list, const std::vector<std::size_t>& shares) const;
+    /// Whether sweeps may leave clusters out: not where Shepard means of the air read the water.
+    bool lets_rest() const { return setup_.model.wall_pressure != WallPressure::shepard; }
+    DensityUpdate::Group density_update(const Flow& flow, std::size_t group, double dt,
+                                        double substep_weight) const;
     void apply_sponge_layer(const FluidParticles& fluid,
                             std::initializer_list<std::vector<double>*> rates) const;
 
@@ -107,8 +126,10 @@ class Rates {
     PairPasses passes_;
     PassInput constants_;  ///< what stays the same over the run
     NeighbourList list_;
-    mutable std::optional<MixedFluid> mixed_;  ///< in mixed precision
-    mutable bool mixed_is_current_ = false;    ///< whether it holds the fluid as it is now
+    mutable std::optional<MixedFluid> mixed_;     ///< in mixed precision
+    mutable bool mixed_is_current_ = false;       ///< whether it holds the fluid as it is now
+    mutable std::vector<NextCluster> next_;       ///< of the shares
+    double left_out_ = 0, fastest_at_first_ = 0;  ///< time for which clusters that rest were left out [s]
     std::vector<RigidBody> listed_bodies_;
     std::uint64_t list_builds_ = 0, summed_in_each_step_ = 0;
     StageTimes stages_;

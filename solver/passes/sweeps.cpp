@@ -22,54 +22,47 @@ WETDECK_INLINE void copy_row(const FluidState& from, const FixedPoint& fixed_poi
     std::memcpy(static_cast<void*>(&to), &all, sizeof all);
 }
 
-template <bool graded, class Power>
-void update_with(FluidState* state, const DensityUpdate& u, Power power) {
-    MixedState* const copies = u.mixed ? u.mixed->data() : nullptr;
-    const FixedPoint fixed_point = u.mixed ? u.mixed->fixed_point() : FixedPoint{};
-    const auto blocks = static_cast<std::int64_t>((u.last - u.first + cluster_width - 1) / cluster_width);
-#pragma omp parallel for schedule(static) num_threads(u.threads)
-    for (std::int64_t block = 0; block < blocks; ++block) {
-        Cluster eight;
-        eight.first = static_cast<std::uint32_t>(u.first) + static_cast<std::uint32_t>(block) * cluster_width;
-        eight.count = std::min(cluster_width, static_cast<std::uint32_t>(u.last) - eight.first);
-        Pack p[pack_width];
-        load_columns(state, eight, p);
-        Pack &x = p[0], &y = p[1], &pressure = p[4], &volume = p[5], &density = p[6];
-        const Pack vx = p[2], vy = p[3], fineness = p[7];
-        const Pack kernel_sum = u.bounds.kernel_sum ? load(u.bounds.kernel_sum, eight) : Pack(1.0);
-        Pack open = u.bounds.open;  // of the finest spacing
-        if constexpr (graded)
-            open = u.eos.reference_density + (u.bounds.open - u.eos.reference_density) / fineness;
-        density =
-            u.bounds.limit(density + u.dt * load(u.rate, eight), kernel_sum, open, u.eos.reference_density);
-        const Pack ratio = density * (1 / u.eos.reference_density);
-        pressure = u.eos.coefficient() * (power(ratio) - 1.0) + u.eos.background_pressure;
-        volume = load(u.mass, eight) / density;
-        x += 0.5 * u.dt * vx;
-        y += 0.5 * u.dt * vy;
-        store_columns(p, state, eight);
-        if (!copies) continue;
-        for (std::size_t i = eight.first; i < eight.first + eight.count; ++i)
-            copy_row(state[i], fixed_point, copies[i]);
-    }
+/// (density / reference)^exponent.
+WETDECK_INLINE Pack power(Pack ratio, double exponent) {
+    if (exponent == 7) return power_seven(ratio);
+    if (exponent == 1.4) return power_seven_fifths(ratio);
+    for (int lane = 0; lane < pack_width; ++lane) ratio.lanes[lane] = std::pow(ratio.lanes[lane], exponent);
+    return ratio;
+}
+
+template <bool graded>
+void update_cluster(FluidState* state, const DensityUpdate& u, const Cluster& cluster) {
+    const auto& [eos, bounds] = u.groups[cluster.slow ? 0 : 1];
+    Pack p[pack_width];
+    load_columns(state, cluster, p);
+    Pack &x = p[0], &y = p[1], &pressure = p[4], &volume = p[5], &density = p[6];
+    const Pack vx = p[2], vy = p[3], fineness = p[7];
+    const Pack kernel_sum = bounds.kernel_sum ? load(bounds.kernel_sum, cluster) : Pack(1.0);
+    Pack open = bounds.open;  // of the finest spacing
+    if constexpr (graded) open = eos.reference_density + (bounds.open - eos.reference_density) / fineness;
+    density = bounds.limit(density + u.dt * load(u.rate, cluster), kernel_sum, open, eos.reference_density);
+    const Pack ratio = density * (1 / eos.reference_density);
+    pressure = eos.coefficient() * (power(ratio, eos.exponent) - 1.0) + eos.background_pressure;
+    volume = load(u.mass, cluster) / density;
+    const double drift = u.sweep.drift_of(cluster);
+    x += drift * vx;
+    y += drift * vy;
+    store_columns(p, state, cluster);
 }
 
 }  // namespace
 
 void update_density(FluidState* state, const DensityUpdate& update) {
-    const auto with = [&](auto power) {
-        update.graded ? update_with<true>(state, update, power) : update_with<false>(state, update, power);
-    };
-    if (update.eos.exponent == 7) {
-        with([](Pack x) { return power_seven(x); });
-    } else if (update.eos.exponent == 1.4) {
-        with([](Pack x) { return power_seven_fifths(x); });
-    } else {
-        with([exponent = update.eos.exponent](Pack x) {
-            for (int lane = 0; lane < pack_width; ++lane) x.lanes[lane] = std::pow(x.lanes[lane], exponent);
-            return x;
-        });
-    }
+    MixedState* const copies = update.mixed ? update.mixed->data() : nullptr;
+    const FixedPoint fixed_point = update.mixed ? update.mixed->fixed_point() : FixedPoint{};
+    update.clusters.for_each([&](const Cluster& cluster, int) {
+        if (update.sweep.leaves_out(cluster)) return;
+        update.graded ? update_cluster<true>(state, update, cluster)
+                      : update_cluster<false>(state, update, cluster);
+        if (!copies) return;
+        for (std::size_t i = cluster.first; i < cluster.first + cluster.count; ++i)
+            copy_row(state[i], fixed_point, copies[i]);
+    });
 }
 
 template <bool graded>

@@ -3,41 +3,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wetdeck {
 namespace {
 
-/// What a kick and a drift change of a particle in single precision.
-void copy_motion(const FluidState& from, FixedPoint fixed_point, MixedState& to) {
-    to.x = fixed_point.fixed(from.x);
-    to.y = fixed_point.fixed(from.y);
-    to.vx = static_cast<float>(from.vx);
-    to.vy = static_cast<float>(from.vy);
-}
+/// The largest value that each thread has met, on cache lines of their own.
+struct alignas(64) Fastest {
+    double speed2 = 0;
+};
 
-/// The first half kick and half drift of all fluid and the bodies. Returns how far the fastest particle has
+/// The first half kick and half drift of the fluid and the bodies. Returns how far the fastest particle has
 /// moved; it moves as far in the second half.
-double kick_and_drift(Flow& flow, Rates& rates, double half, double substep_weight) {
+double kick_and_drift(Flow& flow, Rates& rates, const Substep& substep) {
+    const double half = 0.5 * substep.dt;
+    const double substep_weight = substep.number == 0 ? substep.count : 0;  // of the rates that are left
     const StageTimer timer(rates.stages().integration);
     FluidParticles& fluid = flow.fluid;
     MixedFluid* const mixed = rates.mixed_fluid();
     MixedState* const copies = mixed ? mixed->data() : nullptr;
     const FixedPoint fixed_point = mixed ? mixed->fixed_point() : FixedPoint{};
+    const SharedClusters clusters = rates.clusters();
+    std::vector<Fastest> met(static_cast<std::size_t>(clusters.threads));
+    const ClusterSweep sweep = rates.sweep(half, substep.number == 0 || substep.middle());
+    clusters.for_each([&](const Cluster& cluster, int thread) {
+        if (sweep.leaves_out(cluster)) return;
+        const double drift = sweep.drift_of(cluster);
+        double fastest2 = 0;
+        for (std::size_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+            FluidState& p = fluid.state[i];
+            p.vx += half * fluid.acceleration_x[i];
+            p.vy += half * fluid.acceleration_y[i];
+            p.x += drift * p.vx;
+            p.y += drift * p.vy;
+            fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
+            if (copies) copy_motion(p, fixed_point, copies[i]);
+        }
+        Fastest& own = met[static_cast<std::size_t>(thread)];
+        own.speed2 = std::max(own.speed2, fastest2);
+    });
     double fastest2 = 0;
-    const auto size = static_cast<std::int64_t>(fluid.size());
-#pragma omp parallel for schedule(static) num_threads(rates.setup().execution.threads) reduction(max \
-                                                                                                 : fastest2)
-    for (std::int64_t n = 0; n < size; ++n) {
-        const auto i = static_cast<std::size_t>(n);
-        FluidState& p = fluid.state[i];
-        p.vx += half * fluid.acceleration_x[i];
-        p.vy += half * fluid.acceleration_y[i];
-        p.x += half * p.vx;
-        p.y += half * p.vy;
-        fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
-        if (copies) copy_motion(p, fixed_point, copies[i]);
-    }
-    double fastest = std::sqrt(fastest2);
+    for (const Fastest& of_thread : met) fastest2 = std::max(fastest2, of_thread.speed2);
+    double fastest = rates.fastest_of_step(std::sqrt(fastest2), substep.number == 0);
     flow.time += half;
     for (RigidBody& body : flow.bodies) {
         body.kick(half, substep_weight, flow.time);
@@ -50,15 +57,16 @@ double kick_and_drift(Flow& flow, Rates& rates, double half, double substep_weig
 
 /// The second half drift, with the densities at the end of the step. Returns how far the fastest guided body
 /// has moved, which does not move at its velocity alone.
-double update_and_drift(Flow& flow, Rates& rates, double dt, double substep_weight) {
+double update_and_drift(Flow& flow, Rates& rates, const Substep& substep) {
     const StageTimer timer(rates.stages().integration);
-    rates.update_density(flow, dt, substep_weight);
-    flow.time += 0.5 * dt;
+    const double half = 0.5 * substep.dt, weight = substep.middle() ? substep.count : 0;
+    rates.update_density(flow, substep.dt, weight, rates.sweep(half, substep.middle() || substep.last()));
+    flow.time += half;
     double farthest = 0;
     for (RigidBody& body : flow.bodies) {
         const Vec2 position = body.position;
         const double angle = body.angle;
-        body.drift(0.5 * dt, flow.time);
+        body.drift(half, flow.time);
         if (body.guided())
             farthest = std::max(
                 farthest, (body.position - position).norm() + body.radius * std::abs(body.angle - angle));
@@ -66,6 +74,14 @@ double update_and_drift(Flow& flow, Rates& rates, double dt, double substep_weig
     place_walls(flow, rates.setup().model.gravity);
     return farthest;
 }
+
+constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+
+/// What each thread has met in the last half kick, on cache lines of their own.
+struct alignas(64) Met {
+    std::array<double, phase_count> fastest2{}, densest{};  ///< by phase
+    std::size_t first_bad = nobody;
+};
 
 /// The last half kick, which finds the extremes and the first particle out of range. (After a new list the
 /// rates stand in the old order, and another particle may be named.)
@@ -76,28 +92,41 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
     const double slow_weight = substep.last() ? substep.count : 0;
     for (RigidBody& body : flow.bodies) body.kick(0.5 * substep.dt, slow_weight, flow.time);
     carry_joined_bodies(flow.bodies);
-    const auto size = static_cast<std::int64_t>(fluid.size());
-    double fastest_water = 0, fastest_air = 0, densest_water = 1, densest_air = 1;
-    std::int64_t first_bad = size;
-#pragma omp parallel for schedule(static) num_threads(rates.setup().execution.threads) \
-    reduction(max                                                                      \
-              : fastest_water, fastest_air, densest_water, densest_air) reduction(min  \
-                                                                                  : first_bad)
-    for (std::int64_t n = 0; n < size; ++n) {
-        const auto i = static_cast<std::size_t>(n);
-        FluidState& p = fluid.state[i];
-        p.vx += 0.5 * substep.dt * fluid.acceleration_x[i];
-        p.vy += 0.5 * substep.dt * fluid.acceleration_y[i];
-        const bool water = i < fluid.water;
-        double& fastest = water ? fastest_water : fastest_air;
-        fastest = std::max(fastest, p.vx * p.vx + p.vy * p.vy);
-        double& densest = water ? densest_water : densest_air;
-        densest = std::max(densest, p.density / bounds.reference_densities()[water ? 0 : 1]);
-        if (!bounds.hold(p, fluid.density_rate[i], fluid.phase(i))) first_bad = std::min(first_bad, n);
+    const SharedClusters clusters = rates.clusters();
+    std::vector<Met> met(static_cast<std::size_t>(clusters.threads));
+    const ClusterSweep sweep = rates.sweep(substep.last());
+    clusters.for_each([&](const Cluster& cluster, int thread) {
+        if (sweep.leaves_out(cluster)) return;
+        const auto phase = static_cast<std::size_t>(cluster.phase);
+        double fastest2 = 0, densest = 0;
+        std::size_t first_bad = nobody;
+        for (std::size_t i = cluster.first + cluster.count; i-- > cluster.first;) {
+            FluidState& p = fluid.state[i];
+            p.vx += 0.5 * substep.dt * fluid.acceleration_x[i];
+            p.vy += 0.5 * substep.dt * fluid.acceleration_y[i];
+            fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
+            densest = std::max(densest, p.density);
+            if (!bounds.hold(p, fluid.density_rate[i], cluster.phase)) first_bad = i;
+        }
+        Met& own = met[static_cast<std::size_t>(thread)];
+        own.fastest2[phase] = std::max(own.fastest2[phase], fastest2);
+        own.densest[phase] = std::max(own.densest[phase], densest);
+        own.first_bad = std::min(own.first_bad, first_bad);
+    });
+    Met all;
+    for (const Met& of_thread : met) {
+        for (std::size_t k = 0; k < phase_count; ++k) {
+            all.fastest2[k] = std::max(all.fastest2[k], of_thread.fastest2[k]);
+            all.densest[k] = std::max(all.densest[k], of_thread.densest[k]);
+        }
+        all.first_bad = std::min(all.first_bad, of_thread.first_bad);
     }
-    extremes = {{std::sqrt(fastest_water), std::sqrt(fastest_air)}, {densest_water, densest_air}};
-    if (first_bad == size) return bounds.of_bodies(flow.bodies);
-    return bounds.instability_of(fluid, static_cast<std::size_t>(first_bad));
+    for (std::size_t k = 0; k < phase_count; ++k) {
+        extremes.fastest[k] = std::sqrt(all.fastest2[k]);
+        extremes.densest[k] = std::max(1.0, all.densest[k] / bounds.reference_densities()[k]);
+    }
+    if (all.first_bad == nobody) return bounds.of_bodies(flow.bodies);
+    return bounds.instability_of(fluid, all.first_bad);
 }
 
 }  // namespace
@@ -117,13 +146,12 @@ Extremes extremes_of(const FluidParticles& fluid, const Model& model) {
 std::optional<Instability> advance(Flow& flow, Rates& rates, const Substep& substep,
                                    const StabilityBounds& bounds, Extremes& extremes) {
     const double all = substep.count;
-    const double before = substep.number == 0 ? all : 0;  // weight of the rates that the last step left
     const double middle = substep.middle() ? all : 0, after = substep.last() ? all : 0;
-    const double moved = kick_and_drift(flow, rates, 0.5 * substep.dt, before);
+    const double moved = kick_and_drift(flow, rates, substep);
     rates.refresh_list(flow, moved);
     if (rates.means_in_density(middle)) rates.wall_means(flow, middle);
     rates.density(flow, middle);
-    const double moved_by_guide = update_and_drift(flow, rates, substep.dt, middle);
+    const double moved_by_guide = update_and_drift(flow, rates, substep);
     rates.refresh_list(flow, std::max(moved, moved_by_guide));
     rates.wall_means(flow, after);
     rates.momentum(flow, after);

@@ -47,8 +47,8 @@ ArithmeticLimit arithmetic_limit(const Simulation& simulation, int threads) {
     std::vector<double> density_rate(size), cover(size), acceleration_x(size), acceleration_y(size);
     PassInput in = simulation.inputs();
     const std::vector<std::size_t> shares = equal_shares(sample, threads);
-    in.clusters = &sample;
-    in.shares = &shares;
+    std::vector<NextCluster> next(static_cast<std::size_t>(threads));
+    in.clusters = {sample.data(), shares.data(), next.data(), threads};
     in.density_rate = density_rate.data();
     if (simulation.model().full_kernel_sum > 0) in.kernel_sum = cover.data();
     in.acceleration_x = acceleration_x.data();

@@ -137,7 +137,7 @@ ModelKey substeps(const char* key, int Model::*member, const char* meaning) {
     ModelKey row{"model", key, meaning, "-", ""};
     row.high = 99;
     row.odd = true;
-    row.default_note = "0";
+    row.default_note = std::string("0");
     row.get = [member](const Scene& s) -> KeyValue { return static_cast<double>(s.model.*member); };
     row.set = [member](Scene& s, const KeyValue& v) {
         s.model.*member = static_cast<int>(std::get<double>(v));

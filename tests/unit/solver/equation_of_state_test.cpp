@@ -98,8 +98,20 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
         }
         const std::vector<FluidState> before = state;
         const PairPasses loops = pair_passes(samples::two_phase_model(), name);
-        DensityUpdate update{rate.data(), mass.data(), nullptr, 2, 19, dt, eos, {}, 1};
-        update.bounds.lowest = lowest;
+        std::vector<Cluster> clusters(3);
+        const std::vector<std::size_t> shares{0, 3};
+        clusters[0].first = 2;
+        clusters[0].count = 8;
+        clusters[1].first = 10;
+        clusters[1].count = 8;
+        clusters[2].first = 18;
+        clusters[2].count = 1;
+        NextCluster next;
+        DensityUpdate update{rate.data(), mass.data(), nullptr, {clusters.data(), shares.data(), &next, 1},
+                             dt,          {},          {}};
+        update.groups[0].eos = eos;
+        update.groups[0].bounds.lowest = lowest;
+        update.sweep.drift_of_resting = 0.5 * dt;
         loops.update_density(state.data(), update);
         for (std::size_t i = 0; i < state.size(); ++i) {
             const bool advanced = i >= 2 && i < 19;
