@@ -52,7 +52,6 @@ json parameters_json(const Scene& scene) {
     json parameters = {{"gravity_x", scene.model.gravity.x()}, {"gravity_y", scene.model.gravity.y()}};
     for (const auto& [key, value] : parameters_of(scene))
         std::visit([&parameters, &name = key](const auto& v) { parameters[name] = v; }, value);
-    if (!takes_coarse_substeps(scene)) parameters.erase("model.coarse_substeps");
     if (const auto& resolution = scene.resolution) {
         parameters["resolution.around"] = boxes_json({resolution->box}).at(0);
         parameters["resolution.growth"] = resolution->growth;
@@ -69,6 +68,7 @@ json setup_json(const Scene& scene) {
     json parameters = parameters_json(resolved);
     // runs of before there was a choice stay the same set-up
     if (scene.execution.precision == Precision::double_precision) parameters.erase("execution.precision");
+    if (!takes_coarse_substeps(scene)) parameters.erase("model.coarse_substeps");
     json bodies = json::array();
     for (const BodySpec& body : scene.bodies) bodies.push_back(body_json(body));
     json setup = {{"scheme_revision", scheme_revision},

@@ -137,3 +137,30 @@ TEST_CASE("a gauge where particles are coarse is judged by their spacing there",
     CHECK_NOTHROW(check_spacing(layer({}), 0.01));
     CHECK_THROWS_WITH(check_spacing(layer(more), 0.01), Contains("smaller than the particle spacing"));
 }
+
+TEST_CASE("coarse water takes longer steps where there is no air", "[resolution][scene]") {
+    const std::vector<std::string> around = {"resolution.around=[0.4,0.15,0.6,0.25]"};
+    const auto with = [&](const char* variant, const char* more) {
+        std::vector<std::string> overrides = around;
+        if (more) overrides.emplace_back(more);
+        return layer(overrides, variant);
+    };
+    const Scene alone = with("single-phase", nullptr),
+                asked = with("single-phase", "model.coarse_substeps=5");
+    CHECK(takes_coarse_substeps(alone));
+    CHECK(assemble(alone, 0.01, 1).substeps() == 3);
+    CHECK(assemble(asked, 0.01, 1).substeps() == 5);
+    CHECK(assemble(with("single-phase", "model.coarse_substeps=1"), 0.01, 1).substeps() == 1);
+    CHECK(setup_identity(alone) != setup_identity(asked));
+    CHECK(estimate_cost(alone, 0.01).particle_steps <
+          0.9 * estimate_cost(with("single-phase", "model.coarse_substeps=1"), 0.01).particle_steps);
+
+    const Scene air = with("two-phase", "model.coarse_substeps=5");
+    CHECK_FALSE(takes_coarse_substeps(air));
+    CHECK(assemble(air, 0.01, 1).model().coarse_substeps == 1);
+    CHECK(setup_identity(air) == setup_identity(with("two-phase", nullptr)));
+    CHECK_FALSE(takes_coarse_substeps(layer({}, "single-phase")));
+    std::vector<std::string> names;
+    for (const AblationRun& run : ablation_plan(alone).runs) names.push_back(run.name);
+    CHECK_THAT(names, Catch::VectorContains(std::string("without-longer-steps-of-coarse-water")));
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs with particles that differ in their spacings: the same bits on any number of threads and from a stored
 // state, momentum, and what is refused.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -13,9 +14,8 @@ using namespace wetdeck;
 
 namespace {
 
-/// The graded tank at rest under hydrostatic pressure, its water stirred.
-samples::Setup stirred_tank(const Model& model) {
-    samples::Setup setup = samples::graded_tank(model, 1);
+/// A graded tank at rest under hydrostatic pressure, its water stirred.
+samples::Setup stirred(samples::Setup setup) {
     set_initial_pressure(setup.fluid, setup.model, [](Phase phase, Vec2 at) {
         return phase == Phase::water ? 9810 * (0.8 - at.y()) : 9.81 * (0.8 - at.y());
     });
@@ -26,6 +26,20 @@ samples::Setup stirred_tank(const Model& model) {
     }
     for (WallState& wall : setup.walls.state) wall.vx = wall.vy = wall.ax = wall.ay = 0;
     return setup;
+}
+
+samples::Setup stirred_tank(const Model& model) {
+    return stirred(samples::graded_tank(model, 1));
+}
+
+samples::Setup stirred_water(const Model& model) {
+    return stirred(samples::graded_water(model, 1));
+}
+
+/// Clusters on which nothing acts in the steps of fast fluid alone.
+auto resting_clusters(const Simulation& simulation) {
+    const std::vector<Cluster>& clusters = simulation.neighbours().clusters();
+    return std::count_if(clusters.begin(), clusters.end(), [](const Cluster& c) { return c.rests(); });
 }
 
 }  // namespace
@@ -60,4 +74,43 @@ TEST_CASE("a set-up without finenesses, or with wrong ones, is no graded set-up"
     CHECK_THROWS_WITH(setup.simulate(), Catch::Contains("coarsest"));
     setup = samples::graded_tank(samples::paper_model(), 1);
     CHECK_THROWS_WITH(setup.simulate(), Catch::Contains("no passes over differing spacings"));
+}
+
+TEST_CASE("runs in which fine water takes shorter steps keep momentum, and go on to the same bits",
+          "[graded][simulation]") {
+    Model model = samples::two_phase_model();
+    model.coarse_substeps = 3;
+    samples::Setup setup = stirred_water(model);
+    setup.execution.precision = GENERATE(Precision::double_precision, Precision::mixed);
+    {
+        Simulation simulation = setup.simulate();
+        REQUIRE(simulation.substeps() == 3);
+        REQUIRE(resting_clusters(simulation) > 3);
+        const double most = setup.execution.precision == Precision::mixed ? 1e-7 : 1e-13;
+        for (int n = 0; n < 3; ++n) {
+            CHECK(simulation.momentum_error() < most);
+            samples::step_stably(simulation, 10);
+        }
+    }
+    samples::check_restored_run(setup, 20);
+}
+
+TEST_CASE("where the list is built within a step, resting water is where it should be",
+          "[graded][simulation]") {
+    Model model = samples::two_phase_model();
+    model.coarse_substeps = 3;
+    samples::Setup setup = stirred_water(model);
+    setup.execution.skin = 0.3;
+    Simulation seldom = setup.simulate();
+    setup.execution.skin = 0.002;  // a build in about each of the substeps
+    Simulation often = setup.simulate();
+    samples::step_stably(seldom, 10);
+    samples::step_stably(often, 10);
+    REQUIRE(seldom.list_builds() < 5);
+    REQUIRE(often.list_builds() > 20);
+    const std::vector<FluidState> a = samples::by_id(seldom.fluid()), b = samples::by_id(often.fluid());
+    double apart = 0;
+    for (std::size_t id = 0; id < a.size(); ++id)
+        apart = std::max(apart, (a[id].position() - b[id].position()).norm());
+    CHECK(apart < 1e-13);
 }

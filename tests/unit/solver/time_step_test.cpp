@@ -2,6 +2,7 @@
 // The stable time step: each criterion by hand.
 #include "solver/time/time_step.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -104,6 +105,41 @@ TEST_CASE("The air takes as many steps in one of the water as the sound speeds a
     CHECK(air_substeps(model) == 3);
     model.air_substeps = GENERATE(-1, 2, 4);
     CHECK_THROWS_AS(air_substeps(model), InputError);
+}
+
+TEST_CASE("Fine water takes as many steps in one of coarse water as leave the fewest particle-steps",
+          "[time]") {
+    Model model = samples::two_phase_model();
+    model.coarse_substeps = 0;
+    const auto with_coarse = [&](double fineness, std::size_t of_hundred) {
+        std::vector<double> finenesses(100, 1.0);
+        std::fill_n(finenesses.begin(), of_hundred, fineness);
+        return coarse_substeps(model, finenesses);
+    };
+    CHECK(with_coarse(0.5, 100) == 1);
+    CHECK(with_coarse(0.25, 50) == 3);
+    CHECK(with_coarse(0.2, 50) == 5);
+    CHECK(with_coarse(0.125, 50) == 7);
+    CHECK(with_coarse(0.25, 16) == 3);  // 100 - 16 + 16/3 < 90
+    CHECK(with_coarse(0.25, 14) == 1);
+    model.dissipation_switch = true;
+    CHECK(with_coarse(0.25, 50) == 1);
+    model.coarse_substeps = 3;
+    CHECK_THROWS_AS(with_coarse(0.25, 50), InputError);
+    model.dissipation_switch = false;
+    CHECK(with_coarse(1, 0) == 3);
+    model.coarse_substeps = GENERATE(-1, 2, 4);
+    CHECK_THROWS_AS(with_coarse(0.25, 50), InputError);
+}
+
+TEST_CASE("Coarse water lengthens the step, by its weight less than by its sound", "[time]") {
+    Model model = samples::two_phase_model();
+    const auto step = [&](int substeps) { return stable_time_step(model, h, {}, true, false, substeps); };
+    CHECK(step(3).size == Approx(3 * step(1).size));
+    model.gravity.y() = -1e4;  // 0.25 sqrt(h / g)
+    REQUIRE(step(1).criterion == LimitingCriterion::force);
+    REQUIRE(step(3).criterion == LimitingCriterion::force);
+    CHECK(step(3).size == Approx(std::sqrt(3.0) * step(1).size));
 }
 
 TEST_CASE("Every criterion has its name", "[time]") {
