@@ -27,13 +27,12 @@ struct Cluster {
     std::uint32_t count = 0;                                    ///< 1..8
     Phase phase = Phase::water;                                 ///< of its particles
     bool slow = true;                                           ///< the group of its particles
+    bool rests = false;                                         ///< is left alone by steps of the fast fluid
     std::uint32_t block = 0;                                    ///< of the list that holds the neighbours
     std::uint32_t offset = 0;                                   ///< of the neighbours in that block
     std::array<std::uint32_t, group_count> fluid_neighbours{};  ///< their number, by group
     std::uint32_t wall_neighbours = 0;                          ///< number of boundary particles among them
 
-    /// Whether nothing acts on it in the steps of the fast fluid alone.
-    bool rests() const { return slow && fluid_neighbours[1] == 0; }
     /// Index of the particle in a lane; the last one stands in for those that a smaller cluster lacks.
     std::uint32_t at(std::uint32_t lane) const { return first + std::min(lane, count - 1); }
 };

@@ -313,6 +313,9 @@ void NeighbourList::list_block(const Search& search, std::size_t block) {
             cluster.wall_neighbours +=
                 add_near({*cells, &walls.state[0].x, line, walls.fineness.data(), 1}, 0);
         }
+        // means at walls that fine water meets are also those of the coarse water beside it
+        const bool in_means = slow_fineness_ > 0 && cluster.wall_neighbours > 0;
+        cluster.rests = cluster.slow && cluster.fluid_neighbours[1] == 0 && !in_means;
     }
 }
 

@@ -55,8 +55,8 @@ struct ClusterSweep {
     double drift = 0;             ///< [s]
     double drift_of_resting = 0;  ///< with the time for which they have been left out before [s]
 
-    bool leaves_out(const Cluster& cluster) const { return !all && cluster.rests(); }
-    double drift_of(const Cluster& cluster) const { return cluster.rests() ? drift_of_resting : drift; }
+    bool leaves_out(const Cluster& cluster) const { return !all && cluster.rests; }
+    double drift_of(const Cluster& cluster) const { return cluster.rests ? drift_of_resting : drift; }
 };
 
 }  // namespace wetdeck

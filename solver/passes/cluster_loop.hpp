@@ -18,7 +18,7 @@ inline bool drifts(const PassInput& in, const Cluster& cluster) {
 
 /// Whether the pass has nothing to sum for this cluster.
 inline bool idle(const PassInput& in, const Cluster& cluster) {
-    return in.slow_weight == 0 && cluster.rests();
+    return in.slow_weight == 0 && cluster.rests;
 }
 
 }  // namespace wetdeck::WETDECK_ISA

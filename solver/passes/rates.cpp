@@ -112,7 +112,7 @@ void Rates::build_list(Flow& flow) {
     ++list_builds_;
     summed_in_each_step_ = 0;
     for (const Cluster& cluster : list_.clusters())
-        if (!cluster.slow || cluster.fluid_neighbours[1] > 0) summed_in_each_step_ += cluster.count;
+        if (!cluster.rests) summed_in_each_step_ += cluster.count;
 }
 
 void Rates::refresh_list(Flow& flow, double farthest) {
@@ -271,7 +271,7 @@ void Rates::bring_up(Flow& flow) {
     if (left_out_ == 0) return;
     MixedFluid* const mixed = mixed_fluid();
     for (const Cluster& cluster : list_.clusters()) {
-        if (!cluster.rests()) continue;
+        if (!cluster.rests) continue;
         for (std::size_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
             FluidState& p = flow.fluid.state[i];
             p.x += left_out_ * p.vx;

@@ -22,12 +22,12 @@ WETDECK_INLINE void copy_row(const FluidState& from, const FixedPoint& fixed_poi
     std::memcpy(static_cast<void*>(&to), &all, sizeof all);
 }
 
-/// (density / reference)^exponent.
-WETDECK_INLINE Pack power(Pack ratio, double exponent) {
-    if (exponent == 7) return power_seven(ratio);
-    if (exponent == 1.4) return power_seven_fifths(ratio);
+/// ratio^exponent - 1, each branch with its own difference: compilers then fuse it with the last product.
+WETDECK_INLINE Pack power_less_one(Pack ratio, double exponent) {
+    if (exponent == 7) return power_seven(ratio) - 1.0;
+    if (exponent == 1.4) return power_seven_fifths(ratio) - 1.0;
     for (int lane = 0; lane < pack_width; ++lane) ratio.lanes[lane] = std::pow(ratio.lanes[lane], exponent);
-    return ratio;
+    return ratio - 1.0;
 }
 
 template <bool graded>
@@ -42,7 +42,7 @@ void update_cluster(FluidState* state, const DensityUpdate& u, const Cluster& cl
     if constexpr (graded) open = eos.reference_density + (bounds.open - eos.reference_density) / fineness;
     density = bounds.limit(density + u.dt * load(u.rate, cluster), kernel_sum, open, eos.reference_density);
     const Pack ratio = density * (1 / eos.reference_density);
-    pressure = eos.coefficient() * (power(ratio, eos.exponent) - 1.0) + eos.background_pressure;
+    pressure = eos.coefficient() * power_less_one(ratio, eos.exponent) + eos.background_pressure;
     volume = load(u.mass, cluster) / density;
     const double drift = u.sweep.drift_of(cluster);
     x += drift * vx;

@@ -110,13 +110,16 @@ Setup shaken_blob(const Model& model, std::uint64_t seed, double particle_spacin
     return setup;
 }
 
-Setup graded_tank(const Model& model, std::uint64_t seed) {
-    Setup setup(model, {{0, 0}, {2.0, 1.5}}, 0.025);
-    const Grading grading{{{0.8, 0.6}, {1.2, 0.9}}, setup.particle_spacing, 0.1, 4};
+namespace {
+
+/// Water below air in a tank, finest in a box.
+Setup graded_layers(const Model& model, std::uint64_t seed, double width, Box finest) {
+    Setup setup(model, {{0, 0}, {width, 1.5}}, 0.025);
+    const Grading grading{finest, setup.particle_spacing, 0.1, 4};
     std::vector<Box> all;
     for (const Phase phase : {Phase::water, Phase::air}) {
         const double density = (phase == Phase::water ? model.water : model.air).eos.reference_density;
-        const Box layer = phase == Phase::water ? Box{{0, 0}, {2.0, 0.8}} : Box{{0, 0.8}, {2.0, 1.5}};
+        const Box layer = phase == Phase::water ? Box{{0, 0}, {width, 0.8}} : Box{{0, 0.8}, {width, 1.5}};
         const std::vector<Box> cells = graded_cells(layer, grading);
         fill_cells(setup.fluid, phase, cells, setup.particle_spacing, density);
         all.insert(all.end(), cells.begin(), cells.end());
@@ -131,8 +134,14 @@ Setup graded_tank(const Model& model, std::uint64_t seed) {
     return setup;
 }
 
+}  // namespace
+
+Setup graded_tank(const Model& model, std::uint64_t seed) {
+    return graded_layers(model, seed, 2, {{0.8, 0.6}, {1.2, 0.9}});
+}
+
 Setup graded_water(const Model& model, std::uint64_t seed) {
-    Setup setup = graded_tank(model, seed);
+    Setup setup = graded_layers(model, seed, 3, {{0.2, 0.6}, {0.6, 0.9}});
     FluidParticles water;
     for (std::size_t i = 0; i < setup.fluid.water; ++i) {
         const FluidState& p = setup.fluid.state[i];

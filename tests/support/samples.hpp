@@ -29,7 +29,7 @@ Setup shaken_tank(const Model& model, std::uint64_t seed, double particle_spacin
 /// A layer of water below air in a tank with walls, with spacings of 0.025 m in the middle that grow to four
 /// times that, shaken like shaken_tank.
 Setup graded_tank(const Model& model, std::uint64_t seed);
-/// The same without the air.
+/// A longer layer without the air, finest near its left end.
 Setup graded_water(const Model& model, std::uint64_t seed);
 
 /// A shaken disc of water (radius 0.15 m) with a ring of air (to 0.25 m) about the origin, far from any wall.

@@ -11,6 +11,7 @@ Model water_model(double sound_speed, double gravity) {
     model.water.eos = {water_density, sound_speed, 7, 0};
     model.air.eos = {air_density, sound_speed, 1.4, 0};
     model.gravity = {0, -gravity};
+    model.coarse_substeps = 0;  // as in scenes
     return model;
 }
 

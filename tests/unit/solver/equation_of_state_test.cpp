@@ -111,7 +111,7 @@ TEST_CASE("The fast density step gives the density, volume and pressure of the e
                              dt,          {},          {}};
         update.groups[0].eos = eos;
         update.groups[0].bounds.lowest = lowest;
-        update.sweep.drift_of_resting = 0.5 * dt;
+        update.sweep.drift = 0.5 * dt;
         loops.update_density(state.data(), update);
         for (std::size_t i = 0; i < state.size(); ++i) {
             const bool advanced = i >= 2 && i < 19;

@@ -39,7 +39,7 @@ samples::Setup stirred_water(const Model& model) {
 /// Clusters on which nothing acts in the steps of fast fluid alone.
 auto resting_clusters(const Simulation& simulation) {
     const std::vector<Cluster>& clusters = simulation.neighbours().clusters();
-    return std::count_if(clusters.begin(), clusters.end(), [](const Cluster& c) { return c.rests(); });
+    return std::count_if(clusters.begin(), clusters.end(), [](const Cluster& c) { return c.rests; });
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ auto resting_clusters(const Simulation& simulation) {
 TEST_CASE("a graded run goes on from a stored state, and on other threads, to the same bits",
           "[graded][simulation]") {
     Model model = samples::two_phase_model();
-    model.air_substeps = GENERATE(1, 3);
+    model.air_substeps = 3;
     samples::Setup setup = stirred_tank(model);
     setup.execution.precision = GENERATE(Precision::double_precision, Precision::mixed);
     samples::check_restored_run(setup, 40);
@@ -106,6 +106,7 @@ TEST_CASE("where the list is built within a step, resting water is where it shou
     Simulation often = setup.simulate();
     samples::step_stably(seldom, 10);
     samples::step_stably(often, 10);
+    REQUIRE(resting_clusters(seldom) > 3);
     REQUIRE(seldom.list_builds() < 5);
     REQUIRE(often.list_builds() > 20);
     const std::vector<FluidState> a = samples::by_id(seldom.fluid()), b = samples::by_id(often.fluid());
