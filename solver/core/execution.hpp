@@ -14,8 +14,9 @@ enum class Precision { double_precision, mixed };
 
 /// Threads, neighbour list, instruction set and precision of a simulation.
 struct Execution {
-    int threads = 0;                   ///< 0: as many as OpenMP offers
-    double skin = 0.2;                 ///< of the neighbour list, in smoothing lengths
+    int threads = 0;              ///< at most; 0: as many as OpenMP offers
+    bool fewer_when_busy = true;  ///< whether threads are left out that others keep waiting (core/team.hpp)
+    double skin = 0.2;            ///< of the neighbour list, in smoothing lengths
     std::string instruction_set = {};  ///< "sse2", "avx2" or "avx512"; empty: the best of this processor
     Precision precision = Precision::double_precision;  ///< of the sums over pairs
 };

@@ -35,7 +35,6 @@ PassInput constants_of(const RatesSetup& setup, std::size_t fixed_walls) {
     in.reference_density = {model.water.eos.reference_density, model.air.eos.reference_density};
     in.wall_pressure_mean = {model.wall_pressure != WallPressure::one_sided,
                              model.wall_pressure == WallPressure::shepard};
-    in.threads = setup.execution.threads;
     in.fixed_walls = fixed_walls;
     if (setup.fast_water()) in.phase_of = {0, 0};
     return in;
@@ -57,6 +56,7 @@ Rates::Rates(const RatesSetup& setup, Flow& flow)
       constants_(constants_of(setup, flow.walls.fixed)),
       list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
                      needs_wall_means(setup.model) || !flow.bodies.empty())),
+      team_(setup.execution.threads, setup.execution.fewer_when_busy),
       next_(static_cast<std::size_t>(setup.execution.threads)),
       listed_bodies_(flow.bodies) {
     for (RigidBody& body : flow.bodies) body.in_fast_water = setup.fast_water();
@@ -68,6 +68,7 @@ Rates::Rates(const RatesSetup& setup, Flow& flow)
 /// Sets what passes read of this flow.
 void Rates::set_state(PassInput& in, const Flow& flow, const NeighbourList& list) const {
     in.model = &setup_.model;
+    in.threads = team_.size();
     in.fluid = list.listed(flow.fluid);
     in.mixed = mixed_ ? &*mixed_ : nullptr;
     in.wall = flow.walls.state.data();
@@ -103,7 +104,8 @@ PassInput Rates::pass_input(Flow& flow, double substep_weight) const {
 }
 
 void Rates::build_list(Flow& flow) {
-    list_.build(flow.fluid, flow.walls, passes_.filter_near, setup_.execution.threads);
+    team_.adapt();
+    list_.build(flow.fluid, flow.walls, passes_.filter_near, team_.size());
     listed_bodies_ = flow.bodies;
     forget_mixed_fluid();
     // boundary particles without fluid near are left out of the list
@@ -118,7 +120,7 @@ void Rates::build_list(Flow& flow) {
 void Rates::refresh_list(Flow& flow, double farthest) {
     const StageTimer timer(stages_.neighbours);
     if (list_.slack() < 2 * farthest) bring_up(flow);  // the list looks where everything is
-    if (!list_.still_complete(farthest, flow.fluid, flow.walls, setup_.execution.threads)) build_list(flow);
+    if (!list_.still_complete(farthest, flow.fluid, flow.walls, team_.size())) build_list(flow);
 }
 
 bool Rates::means_in_density(double substep_weight) const {
@@ -141,14 +143,17 @@ void Rates::refresh_mixed_fluid(const Flow& flow) {
 
 void Rates::copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const {
     if (!mixed_) return;
-    mixed_->copy(list.listed(flow.fluid), list.listed_count(flow.fluid), setup_.execution.threads);
+    mixed_->copy(list.listed(flow.fluid), list.listed_count(flow.fluid), team_.size());
     mixed_is_current_ = false;
 }
 
 void Rates::density(Flow& flow, double substep_weight) {
     const StageTimer timer(stages_.density);
     refresh_mixed_fluid(flow);
-    passes_.density_rates(pass_input(flow, substep_weight));
+    {
+        const Team::Work work(team_);
+        passes_.density_rates(pass_input(flow, substep_weight));
+    }
     if (setup_.model.sponge_thickness > 0) apply_sponge_layer(flow.fluid, {&flow.fluid.density_rate});
 }
 
@@ -156,7 +161,10 @@ void Rates::momentum(Flow& flow, double substep_weight) {
     const StageTimer timer(stages_.momentum);
     FluidParticles& fluid = flow.fluid;
     refresh_mixed_fluid(flow);
-    passes_.accelerations(pass_input(flow, substep_weight));
+    {
+        const Team::Work work(team_);
+        passes_.accelerations(pass_input(flow, substep_weight));
+    }
     if (const double frequency = setup_.model.central_frequency; frequency > 0) {
         for (std::size_t i = 0; i < fluid.size(); ++i) {
             const double pull = (i < list_.slow() ? substep_weight : 1) * (frequency * frequency);
@@ -247,7 +255,7 @@ void Rates::mark_impacts(Flow& flow, double fastest) {
     const Vec2 gravity = setup_.model.gravity;
     const double g = gravity.norm();
     const auto size = static_cast<std::int64_t>(fluid.size());
-#pragma omp parallel for schedule(static) num_threads(setup_.execution.threads)
+#pragma omp parallel for schedule(static) num_threads(team_.size())
     for (std::int64_t n = 0; n < size; ++n) {
         const auto i = static_cast<std::size_t>(n);
         FluidState& p = fluid.state[i];
@@ -257,70 +265,13 @@ void Rates::mark_impacts(Flow& flow, double fastest) {
     }
 }
 
-SharedClusters Rates::shared(const NeighbourList& list, const std::vector<std::size_t>& shares) const {
-    return {list.clusters().data(), shares.data(), next_.data(), setup_.execution.threads};
-}
-
-ClusterSweep Rates::sweep(double drift, bool all) {
-    const ClusterSweep sweep{all || !lets_rest(), drift, drift + left_out_};
-    left_out_ = sweep.all ? 0 : sweep.drift_of_resting;
-    return sweep;
-}
-
-void Rates::bring_up(Flow& flow) {
-    if (left_out_ == 0) return;
-    MixedFluid* const mixed = mixed_fluid();
-    for (const Cluster& cluster : list_.clusters()) {
-        if (!cluster.rests) continue;
-        for (std::size_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
-            FluidState& p = flow.fluid.state[i];
-            p.x += left_out_ * p.vx;
-            p.y += left_out_ * p.vy;
-            if (mixed) copy_motion(p, mixed->fixed_point(), mixed->data()[i]);
-        }
-    }
-    left_out_ = 0;
-}
-
-DensityUpdate::Group Rates::density_update(const Flow& flow, std::size_t group, double dt,
-                                           double substep_weight) const {
-    const Model& model = setup_.model;
-    const bool slow = group == 0, water = constants_.phase_of[group] == 0;
-    DensityUpdate::Group update{water ? model.water.eos : model.air.eos, {}};
-    DensityBounds& bounds = update.bounds;
-    bounds.lowest =
-        (water && !model.negative_pressure ? 1 : lowest_density_ratio) * update.eos.reference_density;
-    const bool summed = !slow || substep_weight > 0;
-    if (dt > 0 && water && model.full_kernel_sum > 0 && summed)
-        bounds.kernel_sum = flow.fluid.kernel_sum.data();
-    bounds.full_kernel_sum = model.full_kernel_sum;
-    const double weight = model.gravity.norm() * setup_.particle_spacing;
-    bounds.open =
-        update.eos.reference_density * (1 + weight / (update.eos.sound_speed * update.eos.sound_speed));
-    return update;
-}
-
-void Rates::update_density(Flow& flow, double dt, double substep_weight, const ClusterSweep& sweep) {
-    DensityUpdate update;
-    update.rate = flow.fluid.density_rate.data();
-    update.mass = flow.fluid.mass.data();
-    update.mixed = mixed_fluid();
-    update.clusters = clusters();
-    update.dt = dt;
-    update.sweep = sweep;
-    for (std::size_t group = 0; group < group_count; ++group)
-        update.groups[group] = density_update(flow, group, dt, substep_weight);
-    update.graded = setup_.graded();
-    passes_.update_density(flow.fluid.state.data(), update);
-}
-
 double Rates::momentum_error(const Flow& flow) const {
     if (list_.with_walls_own_lists()) return momentum_error(inputs(flow), flow);
     // the reactions of the tank are summed from lists that this run does without
     Flow copy = flow;
     NeighbourList list = list_for(setup_, 0, true);
     list.sort_fixed_walls(copy.walls);
-    list.build(copy.fluid, copy.walls, passes_.filter_near, setup_.execution.threads);
+    list.build(copy.fluid, copy.walls, passes_.filter_near, team_.size());
     PassInput in = constants_;
     set_state(in, copy, list);
     copy_mixed_fluid(copy, list);

@@ -13,6 +13,7 @@
 #include "solver/bodies/flow.hpp"
 #include "solver/core/execution.hpp"
 #include "solver/core/stage_timer.hpp"
+#include "solver/core/team.hpp"
 #include "solver/neighbours/neighbour_list.hpp"
 #include "solver/passes/pair_passes.hpp"
 
@@ -126,8 +127,9 @@ class Rates {
     PairPasses passes_;
     PassInput constants_;  ///< what stays the same over the run
     NeighbourList list_;
-    mutable std::optional<MixedFluid> mixed_;     ///< in mixed precision
-    mutable bool mixed_is_current_ = false;       ///< whether it holds the fluid as it is now
+    mutable std::optional<MixedFluid> mixed_;  ///< in mixed precision
+    mutable bool mixed_is_current_ = false;    ///< whether it holds the fluid as it is now
+    Team team_;
     mutable std::vector<NextCluster> next_;       ///< of the shares
     double left_out_ = 0, fastest_at_first_ = 0;  ///< time for which clusters that rest were left out [s]
     std::vector<RigidBody> listed_bodies_;

@@ -167,6 +167,7 @@ Benchmark run_benchmark(const BenchmarkOptions& options) {
     for (const char* variant : {"single-phase", "two-phase"}) {
         Scene scene = read_scene(find_scene("dam_break"), variant);
         scene.execution.precision = benchmark.precision = options.precision;
+        scene.execution.fewer_when_busy = false;
         scene.model.air_substeps = 1;  // every particle in every step: what the loops reach
         benchmark.instruction_set =
             pair_passes(scene.model, instruction_set_from_environment()).instruction_set;
