@@ -32,9 +32,8 @@ inline constexpr double kernel_sum_steepness = 10;
 /// every density.
 inline constexpr double compression_per_depth = 0.1;
 
-/// Densities outside this share of their reference end a run: the state is that of no fluid. Single particles
-/// of air caught between a plate and water are squeezed to five times theirs before they escape.
-inline constexpr double lowest_density_ratio = 0.2, highest_density_ratio = 10;
+/// Densities below this share of their reference end a run: the state is that of no fluid.
+inline constexpr double lowest_density_ratio = 0.2;
 
 /// The bounds of one update of the density of a phase.
 struct DensityBounds {

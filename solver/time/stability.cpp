@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "solver/time/stability.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -15,8 +17,22 @@ std::string Instability::describe() const {
     return text;
 }
 
+namespace {
+
+double highest_ratio_of_air(const Model& model) {
+    const double c = model.water.eos.sound_speed;
+    const double impact = highest_impact_mach_number * model.water.eos.reference_density * c * c;
+    const TaitEquationOfState& air = model.air.eos;
+    if (!(air.coefficient() > 0)) return highest_density_ratio;  // there is none
+    const double ratio = std::pow(1 + impact / air.coefficient(), 1 / air.exponent);
+    return std::max(highest_density_ratio, ratio);
+}
+
+}  // namespace
+
 StabilityBounds::StabilityBounds(const Model& model, Box domain, double margin)
     : reference_densities_{model.water.eos.reference_density, model.air.eos.reference_density},
+      highest_density_ratios_{highest_density_ratio, highest_ratio_of_air(model)},
       highest_speeds_{highest_mach_number * model.water.eos.sound_speed,
                       highest_mach_number * model.air.eos.sound_speed},
       tank_{{model.mirror_x ? -std::numeric_limits<double>::infinity() : domain.low.x(), domain.low.y()},

@@ -17,6 +17,11 @@ namespace wetdeck {
 /// C h/(c + v), from creeping towards zero.
 inline constexpr double highest_mach_number = 10;
 
+/// So do densities beyond this multiple of the reference, or, for air, beyond that at which it bears the
+/// pressure of water that stops at a tenth of its sound speed: air that is caught under a plate is
+/// squeezed that far.
+inline constexpr double highest_density_ratio = 10, highest_impact_mach_number = 0.1;
+
 /// Why a run cannot go on.
 struct Instability {
     double time = 0;                        ///< [s]
@@ -41,7 +46,7 @@ class StabilityBounds {
         const auto k = static_cast<std::size_t>(phase);
         const double ratio = p.density / reference_densities_[k];
         return density_rate == density_rate && ratio > lowest_density_ratio &&
-               ratio < highest_density_ratio &&
+               ratio < highest_density_ratios_[k] &&
                p.vx * p.vx + p.vy * p.vy < highest_speeds_[k] * highest_speeds_[k] && p.x > outer_.low.x() &&
                p.y > outer_.low.y() && p.x < outer_.high.x() && p.y < outer_.high.y();
     }
@@ -55,7 +60,7 @@ class StabilityBounds {
     const std::array<double, phase_count>& reference_densities() const { return reference_densities_; }
 
   private:
-    std::array<double, phase_count> reference_densities_, highest_speeds_;
+    std::array<double, phase_count> reference_densities_, highest_density_ratios_, highest_speeds_;
     Box tank_, outer_;
 };
 

@@ -169,3 +169,22 @@ TEST_CASE("A watch is asked at most 64 steps apart and can end a run", "[simulat
     CHECK(instability->quantity == "a test");
     CHECK(asked == std::vector<std::uint64_t>{64, 128, 192});
 }
+
+TEST_CASE("Air may be squeezed as far as an impact of the water can press it", "[simulation]") {
+    Model model = samples::two_phase_model();  // water of 30 m/s
+    const auto holds = [&](Phase phase, double ratio) {
+        FluidState p;
+        p.x = p.y = 0.5;
+        p.density = ratio * (phase == Phase::water ? model.water : model.air).eos.reference_density;
+        return StabilityBounds(model, {{0, 0}, {1, 1}}, 0.1).hold(p, 0, phase);
+    };
+    CHECK(holds(Phase::air, 9));
+    CHECK_FALSE(holds(Phase::air, 60));
+    CHECK_FALSE(holds(Phase::water, 12));
+    model.water.eos.sound_speed = 1450;
+    CHECK(holds(Phase::air, 60));
+    CHECK_FALSE(holds(Phase::air, 6000));
+    CHECK_FALSE(holds(Phase::water, 12));
+    model.air = {};
+    CHECK_FALSE(holds(Phase::water, 12));
+}
