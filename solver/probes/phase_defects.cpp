@@ -146,6 +146,28 @@ double enclosed_air(const Simulation& simulation) {
     return volume.empty() ? 0 : all - *std::max_element(volume.begin(), volume.end());
 }
 
+double coarsest_at_bodies(const Simulation& simulation) {
+    const NeighbourList& list = simulation.neighbours();
+    const WallParticles& walls = simulation.walls();
+    const FluidState* listed = list.listed(simulation.fluid());
+    double coarsest = 1;
+    for (const Cluster& cluster : list.wall_clusters()) {
+        if (cluster.first < walls.fixed) continue;
+        for (std::size_t group = 0; group < group_count; ++group) {
+            for (const std::uint32_t j : fluid_neighbours(list.blocks(), cluster, group)) {
+                const double ratio = simulation.spacing_of(listed[j]) / simulation.particle_spacing();
+                if (ratio <= coarsest) continue;
+                for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
+                    const Vec2 apart = listed[j].position() - Vec2(walls.state[i].x, walls.state[i].y);
+                    const double reach = 0.75 * simulation.particle_spacing() * (ratio + 1);
+                    if (apart.squaredNorm() < reach * reach) coarsest = ratio;
+                }
+            }
+        }
+    }
+    return coarsest;
+}
+
 std::size_t particles_in_bodies(const Simulation& simulation, std::span<const Outline> outlines) {
     if (outlines.empty()) return 0;
     const auto& state = simulation.fluid().state;

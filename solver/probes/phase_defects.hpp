@@ -27,6 +27,10 @@ struct MixedParticles {
 /// Of all fluid, from the neighbour list.
 MixedParticles mixed_particles(const Simulation& simulation);
 
+/// Largest spacing of the fluid that touches a body, nearer than one and a half of the mean of both spacings,
+/// over the finest.
+double coarsest_at_bodies(const Simulation& simulation);
+
 /// Volume of the air [m^2 a metre of span] that is cut off from the largest body of air: cavities and
 /// bubbles. Air particles closer than 1.5 spacings belong together.
 double enclosed_air(const Simulation& simulation);

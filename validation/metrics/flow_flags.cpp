@@ -20,6 +20,12 @@ std::vector<std::string> flow_flags(const RunRecord& record) {
     const double outside = largest_value(record, "particles_outside").value_or(0);
     if (outside > 0)
         flags.push_back(fmt::format("{:.0f} fluid particles are beyond the tank's faces", outside));
+    const double coarsest = largest_value(record, "coarsest_at_bodies").value_or(1);
+    if (coarsest > largest_spacing_at_bodies)
+        flags.push_back(fmt::format(
+            "particles with {:.2g} times the finest spacing have touched a body: its loads are those of that "
+            "spacing; widen the box of [resolution], or let spacings grow more slowly",
+            coarsest));
     return flags;
 }
 

@@ -14,8 +14,12 @@ namespace wetdeck {
 /// speed is too low for the speeds, or the spacing too coarse for the impacts.
 inline constexpr double largest_sound_density_error = 0.05;
 
-/// One sentence each where the largest density error of the water is above largest_sound_density_error, and
-/// where fluid particles are beyond the faces of the tank.
+/// Spacing of the fluid at a body, over the finest, beyond which it is not that of the run.
+inline constexpr double largest_spacing_at_bodies = 1.5;
+
+/// One sentence each where the largest density error of the water is above largest_sound_density_error, where
+/// fluid particles are beyond the faces of the tank, and where a body has met particles coarser than
+/// largest_spacing_at_bodies.
 std::vector<std::string> flow_flags(const RunRecord& record);
 
 /// Change of density that a water of the chosen sound speed may have: pressures of impacts are then those of

@@ -294,10 +294,19 @@ Outline BodySpec::local_outline() const {
     return local;
 }
 
+namespace {
+
+bool has(const Scene& scene, FieldSeries::Needs needs) {
+    if (needs == FieldSeries::Needs::air) return scene.air;
+    return !scene.bodies.empty() && (needs == FieldSeries::Needs::bodies || scene.resolution);
+}
+
+}  // namespace
+
 std::vector<FieldSeries> field_series(const Scene& scene) {
     std::vector<FieldSeries> all;
     for (const FieldSeries& each : all_field_series())
-        if (each.of_bodies ? !scene.bodies.empty() : scene.air) all.push_back(each);
+        if (has(scene, each.needs)) all.push_back(each);
     return all;
 }
 

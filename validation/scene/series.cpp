@@ -75,28 +75,32 @@ const std::vector<FieldSeries>& all_field_series() {
     static const std::vector<FieldSeries> table = {
         {{"void_area", "m^2",
           "area of the tank outside bodies farther than one spacing from every particle; at the field files"},
-         false,
+         FieldSeries::Needs::air,
          [](State s, Outlines o) { return void_area(s, o); }},
         {{"water_in_air", "-",
           "water particles that have less than a quarter water among their neighbours within two spacings; "
           "at "
           "the field files"},
-         false,
+         FieldSeries::Needs::air,
          [](State s, Outlines) { return static_cast<double>(mixed_particles(s).water_in_air); }},
         {{"air_in_water", "-",
           "air particles that have less than a quarter air among their neighbours within two spacings; at "
           "the "
           "field files"},
-         false,
+         FieldSeries::Needs::air,
          [](State s, Outlines) { return static_cast<double>(mixed_particles(s).air_in_water); }},
         {{"enclosed_air", "m^2",
           "volume a metre of span of the air that is cut off from the largest body of air; at the field "
           "files"},
-         false,
+         FieldSeries::Needs::air,
          [](State s, Outlines) { return enclosed_air(s); }},
         {{"particles_in_bodies", "-", "fluid particles whose centres lie inside a body; at the field files"},
-         true,
-         [](State s, Outlines o) { return static_cast<double>(particles_in_bodies(s, o)); }}};
+         FieldSeries::Needs::bodies,
+         [](State s, Outlines o) { return static_cast<double>(particles_in_bodies(s, o)); }},
+        {{"coarsest_at_bodies", "-",
+          "largest spacing of the fluid that touches a body, over the finest; at the field files"},
+         FieldSeries::Needs::bodies_and_resolution,
+         [](State s, Outlines) { return coarsest_at_bodies(s); }}};
     return table;
 }
 

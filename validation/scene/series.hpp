@@ -34,7 +34,7 @@ const std::vector<FluidSeries>& every_run_series();
 /// A series of the whole fluid that is taken when a field file is written: too costly for every sample.
 struct FieldSeries {
     SeriesInfo info;
-    bool of_bodies;  ///< needs a body, else air
+    enum class Needs { air, bodies, bodies_and_resolution } needs;  ///< what a scene must have
     /// @param outlines  of the bodies, in their frames about the mass centre [m]
     double (*value)(const Simulation&, std::span<const Outline> outlines);
 };

@@ -43,6 +43,12 @@ TEST_CASE("A flow is doubtful beyond five per cent and with particles outside th
     outside.series["particles_outside"] = {"-", "", {0, 1}, {0, 3}, {}};
     REQUIRE(flow_flags(outside).size() == 1);
     CHECK_THAT(flow_flags(outside)[0], Contains("3 fluid particles are beyond"));
+    RunRecord coarse;
+    coarse.series["coarsest_at_bodies"] = {"-", "", {0, 1}, {1, 1.5}, {}};
+    CHECK(flow_flags(coarse).empty());
+    coarse.series["coarsest_at_bodies"].value.back() = 2.2;
+    REQUIRE(flow_flags(coarse).size() == 1);
+    CHECK_THAT(flow_flags(coarse)[0], Contains("2.2 times the finest spacing have touched a body"));
     CHECK(flow_flags(RunRecord{}).empty());
     CHECK_FALSE(compression_note(RunRecord{}).has_value());
 }

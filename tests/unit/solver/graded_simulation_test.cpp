@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "solver/core/errors.hpp"
+#include "solver/probes/phase_defects.hpp"
+#include "solver/setup/body_outline.hpp"
 #include "solver/setup/initial_pressure.hpp"
 #include "tests/support/restored_run.hpp"
 #include "tests/support/samples.hpp"
@@ -114,4 +116,21 @@ TEST_CASE("where the list is built within a step, resting water is where it shou
     for (std::size_t id = 0; id < a.size(); ++id)
         apart = std::max(apart, (a[id].position() - b[id].position()).norm());
     CHECK(apart < 1e-13);
+}
+
+TEST_CASE("coarse fluid at a body is noticed", "[graded][probes]") {
+    samples::Setup setup = stirred_tank(samples::two_phase_model());
+    for (FluidState& p : setup.fluid.state) p.vx = 0;
+    const Vec2 c(GENERATE(1.0, 1.7), 0.75);
+    const Outline outline = {c + Vec2(-0.1, -0.05), c + Vec2(0.1, -0.05), c + Vec2(0.1, 0.05),
+                             c + Vec2(-0.1, 0.05)};
+    clear_fluid(setup.fluid, outline, setup.particle_spacing);
+    add_body_particles(setup.walls, 0, outline, c, setup.particle_spacing,
+                       2 * setup.model.smoothing_ratio * setup.particle_spacing);
+    RigidBody body;
+    body.position = c;
+    setup.bodies = {body};
+    const double coarsest = coarsest_at_bodies(setup.simulate());
+    if (c.x() == 1.0) CHECK(coarsest < 1.1);
+    if (c.x() > 1.0) CHECK(coarsest > 2);
 }
