@@ -80,6 +80,8 @@ TEST_CASE("bench measures every stage, and no pass beats the limits of the machi
         CHECK(one.at("listed_per_cluster") > one.at("neighbours_per_particle"));
         CHECK(one.at("steps_per_list_build") >= 0.5);  // it may be built twice a step
         CHECK(one.at("bytes_per_particle") > 64);
+        if (const json& counted = one.at("instructions_per_particle_step"); !counted.is_null())
+            CHECK(counted > 100);
         for (const char* limit : {"density_neighbours_per_s", "momentum_neighbours_per_s",
                                   "triad_bytes_per_s", "triad_memory_bytes_per_s"})
             CHECK(one.at("limits").at(limit) > 0);

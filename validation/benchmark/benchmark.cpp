@@ -10,6 +10,7 @@
 #include <ctime>
 
 #include "solver/core/errors.hpp"
+#include "validation/benchmark/instruction_counter.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/scene/scene.hpp"
 #include "validation/store/environment.hpp"
@@ -108,11 +109,13 @@ BenchmarkCase measure(const Scene& scene, const Simulation::State& start, const 
     std::vector<double> rates, core_rates, processor_shares, density_seconds, momentum_seconds, step_seconds;
     std::array<std::vector<double>, timed_stages.size()> stage_rates;
     double builds = 0;
+    const InstructionCounter counter;
     for (int repeat = 0; repeat < options.repeats; ++repeat) {
         simulation.restore(start);
         const StageTimes before = simulation.stage_times();
         const std::uint64_t builds_before = simulation.list_builds();
         const double processor_before = processor_seconds();
+        const std::optional<std::uint64_t> executed = counter.count();
         const auto begin = std::chrono::steady_clock::now();
         for (int step = 0; step < steps_per_repeat; ++step) {
             if (const auto instability = simulation.step(scene.end_time))
@@ -120,6 +123,8 @@ BenchmarkCase measure(const Scene& scene, const Simulation::State& start, const 
         }
         const auto end = std::chrono::steady_clock::now();
         const double processor = processor_seconds() - processor_before;
+        if (const auto now = counter.count(); threads == 1 && now && executed)
+            result.instructions = static_cast<double>(*now - *executed) / work;
         const StageTimes after = simulation.stage_times();
         const double seconds = std::chrono::duration<double>(end - begin).count();
         // the machine's own pace changes with what else runs: the limit is sought beside every repeat

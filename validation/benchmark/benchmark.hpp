@@ -4,6 +4,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,7 +46,8 @@ struct BenchmarkCase {
     double triad = 0;         ///< [B/s] over as much memory as the simulation has
     double memory_triad = 0;  ///< [B/s] over more than caches hold
     PassShare density, momentum;
-    double step_share = 0;  ///< both passes at their limits over the whole step
+    std::optional<double> instructions;  ///< of a particle-step; one thread, where the machine counts them
+    double step_share = 0;               ///< both passes at their limits over the whole step
 };
 
 struct Benchmark {

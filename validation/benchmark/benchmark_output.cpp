@@ -41,6 +41,7 @@ json case_json(const BenchmarkCase& c) {
         {"listed_per_cluster", c.listed},
         {"steps_per_list_build", c.steps_per_build},
         {"bytes_per_particle", c.bytes_per_particle},
+        {"instructions_per_particle_step", c.instructions ? json(*c.instructions) : json()},
         {"limits",
          {{"density_neighbours_per_s", c.arithmetic.density},
           {"momentum_neighbours_per_s", c.arithmetic.momentum},
@@ -104,6 +105,9 @@ std::string benchmark_table(const Benchmark& benchmark) {
                 [&](const BenchmarkCase& c) { return number(c.steps_per_build); });
     out += line("bytes per particle", benchmark,
                 [&](const BenchmarkCase& c) { return number(c.bytes_per_particle); });
+    out += line("instructions per particle-step", benchmark, [](const BenchmarkCase& c) {
+        return c.instructions ? fmt::format("{:.0f}", *c.instructions) : "-";
+    });
     out += line("arithmetic limit, M listed/s", benchmark, [](const BenchmarkCase& c) {
         return fmt::format("{:.0f}, {:.0f}", c.arithmetic.density / 1e6, c.arithmetic.momentum / 1e6);
     });
@@ -123,7 +127,7 @@ std::string benchmark_table(const Benchmark& benchmark) {
         "read and write\n"
         "states, list and results once at the bandwidth of the triad, over the time taken. Whole step: both "
         "passes at their\n"
-        "limits, over the whole step.\n";
+        "limits, over the whole step. Instructions are those of one thread, where the machine counts them.\n";
     const bool busy = std::any_of(benchmark.cases.begin(), benchmark.cases.end(),
                                   [](const BenchmarkCase& c) { return c.processor_share < quiet_share; });
     if (busy)

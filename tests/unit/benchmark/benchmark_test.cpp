@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/unit/scene/scene_samples.hpp"
+#include "validation/benchmark/instruction_counter.hpp"
 #include "validation/benchmark/machine_limit.hpp"
 #include "validation/benchmark/spread.hpp"
 #include "validation/run/assemble.hpp"
@@ -32,4 +33,18 @@ TEST_CASE("limits are measured on a state without changing it") {
     CHECK(listed_neighbours(simulation) >
           28 * static_cast<double>(simulation.neighbours().clusters().size()));
     CHECK(triad_bandwidth(100'000, 1) > 0);
+}
+
+TEST_CASE("instructions are counted where the machine counts them") {
+    const InstructionCounter counter;
+    const std::optional<std::uint64_t> before = counter.count();
+    if (!before) {
+        WARN("not tested: this machine counts no instructions");
+        return;
+    }
+    volatile double sum = 0;
+    for (int n = 0; n < 100'000; ++n) sum = sum + n;
+    const std::uint64_t executed = counter.count().value() - *before;
+    CHECK(executed > 300'000);
+    CHECK(executed < 10'000'000);
 }
