@@ -129,6 +129,8 @@ TEST_CASE("coarse fluid at a body is noticed", "[graded][probes]") {
                        2 * setup.model.smoothing_ratio * setup.particle_spacing);
     RigidBody body;
     body.position = c;
+    body.mass = 20;
+    body.inertia = 0.1;
     setup.bodies = {body};
     const double coarsest = coarsest_at_bodies(setup.simulate());
     if (c.x() == 1.0) CHECK(coarsest < 1.1);
