@@ -28,12 +28,15 @@ double kick_and_drift(Flow& flow, Rates& rates, const Substep& substep) {
     const ClusterSweep sweep = rates.sweep(half, substep.number == 0 || substep.middle());
     clusters.for_each([&](const Cluster& cluster, int thread) {
         if (sweep.leaves_out(cluster)) return;
-        const double drift = sweep.drift_of(cluster);
+        // locals: a number of a particle might be one of those beyond the loop
+        const double kick = half, drift = sweep.drift_of(cluster);
+        const double *const ax = fluid.acceleration_x.data(), *const ay = fluid.acceleration_y.data();
+        FluidState* const state = fluid.state.data();
         double fastest2 = 0;
         for (std::size_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
-            FluidState& p = fluid.state[i];
-            p.vx += half * fluid.acceleration_x[i];
-            p.vy += half * fluid.acceleration_y[i];
+            FluidState& p = state[i];
+            p.vx += kick * ax[i];
+            p.vy += kick * ay[i];
             p.x += drift * p.vx;
             p.y += drift * p.vy;
             fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
@@ -66,7 +69,7 @@ double update_and_drift(Flow& flow, Rates& rates, const Substep& substep) {
     for (RigidBody& body : flow.bodies) {
         const Vec2 position = body.position;
         const double angle = body.angle;
-        body.drift(half, flow.time);
+        body.drift(0.5 * substep.dt, flow.time);
         if (body.guided())
             farthest = std::max(
                 farthest, (body.position - position).norm() + body.radius * std::abs(body.angle - angle));
@@ -98,12 +101,15 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
     clusters.for_each([&](const Cluster& cluster, int thread) {
         if (sweep.leaves_out(cluster)) return;
         const auto phase = static_cast<std::size_t>(cluster.phase);
+        const double half = 0.5 * substep.dt;
+        const double *const ax = fluid.acceleration_x.data(), *const ay = fluid.acceleration_y.data();
+        FluidState* const state = fluid.state.data();
         double fastest2 = 0, densest = 0;
         std::size_t first_bad = nobody;
         for (std::size_t i = cluster.first + cluster.count; i-- > cluster.first;) {
-            FluidState& p = fluid.state[i];
-            p.vx += 0.5 * substep.dt * fluid.acceleration_x[i];
-            p.vy += 0.5 * substep.dt * fluid.acceleration_y[i];
+            FluidState& p = state[i];
+            p.vx += half * ax[i];
+            p.vy += half * ay[i];
             fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
             densest = std::max(densest, p.density);
             if (!bounds.hold(p, fluid.density_rate[i], cluster.phase)) first_bad = i;
