@@ -57,6 +57,7 @@ Rates::Rates(const RatesSetup& setup, Flow& flow)
       list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
                      needs_wall_means(setup.model) || !flow.bodies.empty())),
       team_(setup.execution.threads, setup.execution.fewer_when_busy),
+      met_(static_cast<std::size_t>(setup.execution.threads)),
       next_(static_cast<std::size_t>(setup.execution.threads)),
       listed_bodies_(flow.bodies) {
     for (RigidBody& body : flow.bodies) body.in_fast_water = setup.fast_water();

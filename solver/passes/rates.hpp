@@ -7,7 +7,10 @@
 // time/verlet.hpp).
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <initializer_list>
+#include <limits>
 #include <optional>
 
 #include "solver/bodies/flow.hpp"
@@ -33,6 +36,13 @@ struct RatesSetup {
     bool fast_water() const { return model.coarse_substeps > 1; }
     /// Steps of the fast fluid in one of the slow.
     int substeps() const { return fast_water() ? model.coarse_substeps : model.air_substeps; }
+};
+
+/// What a thread meets in a sweep over the fluid, on cache lines of its own.
+struct alignas(64) Met {
+    static constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+    std::array<double, phase_count> fastest2{}, densest{};  ///< by phase
+    std::size_t first_bad = nobody;                         ///< particle
 };
 
 /// Evaluates rates. It owns the list of neighbours and no part of the flow.
@@ -78,6 +88,11 @@ class Rates {
     double fastest_of_step(double of_sweep, bool first) {
         fastest_at_first_ = first ? of_sweep : std::max(of_sweep, fastest_at_first_);
         return fastest_at_first_;
+    }
+    /// Room for what each thread meets, as new.
+    std::vector<Met>& met() {
+        std::fill(met_.begin(), met_.end(), Met{});
+        return met_;
     }
     /// All clusters, for work on them.
     SharedClusters clusters() const { return shared(list_, list_.shares()); }
@@ -130,6 +145,7 @@ class Rates {
     mutable std::optional<MixedFluid> mixed_;  ///< in mixed precision
     mutable bool mixed_is_current_ = false;    ///< whether it holds the fluid as it is now
     Team team_;
+    std::vector<Met> met_;                        ///< of each thread
     mutable std::vector<NextCluster> next_;       ///< of the shares
     double left_out_ = 0, fastest_at_first_ = 0;  ///< time for which clusters that rest were left out [s]
     std::vector<RigidBody> listed_bodies_;

@@ -3,15 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace wetdeck {
 namespace {
-
-/// The largest value that each thread has met, on cache lines of their own.
-struct alignas(64) Fastest {
-    double speed2 = 0;
-};
 
 /// The first half kick and half drift of the fluid and the bodies. Returns how far the fastest particle has
 /// moved; it moves as far in the second half.
@@ -24,7 +18,7 @@ double kick_and_drift(Flow& flow, Rates& rates, const Substep& substep) {
     MixedState* const copies = mixed ? mixed->data() : nullptr;
     const FixedPoint fixed_point = mixed ? mixed->fixed_point() : FixedPoint{};
     const SharedClusters clusters = rates.clusters();
-    std::vector<Fastest> met(static_cast<std::size_t>(clusters.threads));
+    std::vector<Met>& met = rates.met();
     const ClusterSweep sweep = rates.sweep(half, substep.number == 0 || substep.middle());
     clusters.for_each([&](const Cluster& cluster, int thread) {
         if (sweep.leaves_out(cluster)) return;
@@ -42,11 +36,11 @@ double kick_and_drift(Flow& flow, Rates& rates, const Substep& substep) {
             fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
             if (copies) copy_motion(p, fixed_point, copies[i]);
         }
-        Fastest& own = met[static_cast<std::size_t>(thread)];
-        own.speed2 = std::max(own.speed2, fastest2);
+        double& own = met[static_cast<std::size_t>(thread)].fastest2[0];
+        own = std::max(own, fastest2);
     });
     double fastest2 = 0;
-    for (const Fastest& of_thread : met) fastest2 = std::max(fastest2, of_thread.speed2);
+    for (const Met& of_thread : met) fastest2 = std::max(fastest2, of_thread.fastest2[0]);
     double fastest = rates.fastest_of_step(std::sqrt(fastest2), substep.number == 0);
     flow.time += half;
     for (RigidBody& body : flow.bodies) {
@@ -78,14 +72,6 @@ double update_and_drift(Flow& flow, Rates& rates, const Substep& substep) {
     return farthest;
 }
 
-constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
-
-/// What each thread has met in the last half kick, on cache lines of their own.
-struct alignas(64) Met {
-    std::array<double, phase_count> fastest2{}, densest{};  ///< by phase
-    std::size_t first_bad = nobody;
-};
-
 /// The last half kick, which finds the extremes and the first particle out of range. (After a new list the
 /// rates stand in the old order, and another particle may be named.)
 std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& substep,
@@ -96,7 +82,7 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
     for (RigidBody& body : flow.bodies) body.kick(0.5 * substep.dt, slow_weight, flow.time);
     carry_joined_bodies(flow.bodies);
     const SharedClusters clusters = rates.clusters();
-    std::vector<Met> met(static_cast<std::size_t>(clusters.threads));
+    std::vector<Met>& met = rates.met();
     const ClusterSweep sweep = rates.sweep(substep.last());
     clusters.for_each([&](const Cluster& cluster, int thread) {
         if (sweep.leaves_out(cluster)) return;
@@ -105,7 +91,7 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
         const double *const ax = fluid.acceleration_x.data(), *const ay = fluid.acceleration_y.data();
         FluidState* const state = fluid.state.data();
         double fastest2 = 0, densest = 0;
-        std::size_t first_bad = nobody;
+        std::size_t first_bad = Met::nobody;
         for (std::size_t i = cluster.first + cluster.count; i-- > cluster.first;) {
             FluidState& p = state[i];
             p.vx += half * ax[i];
@@ -131,7 +117,7 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
         extremes.fastest[k] = std::sqrt(all.fastest2[k]);
         extremes.densest[k] = std::max(1.0, all.densest[k] / bounds.reference_densities()[k]);
     }
-    if (all.first_bad == nobody) return bounds.of_bodies(flow.bodies);
+    if (all.first_bad == Met::nobody) return bounds.of_bodies(flow.bodies);
     return bounds.instability_of(fluid, all.first_bad);
 }
 
