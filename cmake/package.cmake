@@ -21,7 +21,7 @@ function(wetdeck_install_libraries)
   # Not those that only the library's own sources include, nor those that come with the program.
   install(DIRECTORY solver validation DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wetdeck COMPONENT development
           FILES_MATCHING PATTERN "*.hpp" PATTERN program EXCLUDE PATTERN scenes EXCLUDE PATTERN paraview EXCLUDE
-          PATTERN simd EXCLUDE PATTERN cluster_loop.hpp EXCLUDE PATTERN isa_passes.hpp
+          PATTERN simd EXCLUDE PATTERN substep_weight.hpp EXCLUDE PATTERN isa_passes.hpp
           EXCLUDE PATTERN wall_pair.hpp EXCLUDE PATTERN toml_node.hpp EXCLUDE PATTERN instruction_sets.hpp EXCLUDE PATTERN sections.hpp EXCLUDE)
   install(FILES reports/report.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wetdeck/reports COMPONENT development)
   install(FILES reports/page/report_inputs.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wetdeck/reports/page COMPONENT development)

@@ -8,6 +8,7 @@
 
 #include "reports/figures/figures.hpp"
 #include "reports/page/html.hpp"
+#include "validation/metrics/statistics.hpp"
 
 namespace wetdeck::report {
 namespace {
@@ -20,12 +21,14 @@ bool not_measured(const ScatterPoint& point) {
 }
 
 bool drawable(const ScatterPoint& point) {
-    return (point.counted || not_measured(point)) && point.predicted * point.expected > 0;
+    const bool measured = point.counted && describe(*point.kind).validates;
+    return (measured || not_measured(point)) && point.predicted * point.expected > 0;
 }
 
+/// Those against measurements of the class to which it belongs.
 const ClassStatistics* statistics_of(const Summary& summary, const std::string& name) {
     for (const ClassStatistics& each : summary.statistics)
-        if (each.quantity_class == name) return &each;
+        if (each.quantity_class == statistics_class(name) && describe(each.against).validates) return &each;
     return nullptr;
 }
 
@@ -71,8 +74,8 @@ Figure scatter_figure(const Points& points, const ClassStatistics* statistics) {
                 statistics->sigma_model ? statistics->sigma_model : statistics->scatter,
                 "bias " + number(*statistics->bias), "#b5391f");
         figure.caption = fmt::format(
-            "{} {}. The band around the bias is {}.", statistics->count,
-            statistics->count == 1 ? "point" : "points",
+            "{} {} of {}. The band around the bias is {}.", statistics->count,
+            statistics->count == 1 ? "point" : "points", statistics->quantity_class,
             statistics->sigma_model ? "the scatter of the model"
                                     : "the total scatter, because the uncertainty of the data is unknown");
     }

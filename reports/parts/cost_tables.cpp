@@ -124,8 +124,7 @@ std::string cost_table(const Runs& runs, const AnalysisSpec& scene) {
                "Particle-steps: number of particles whose rates of change were computed, summed over all "
                "steps. If the air takes several substeps in one step of the water, or fine water in one of "
                "coarse, it counts in each substep, the rest only near it. The seconds of the stages are wall "
-               "time of the time loop; the "
-               "remaining wall time is set-up.",
+               "time of the time loop; the remaining wall time is set-up.",
                "soft");
 }
 

@@ -12,10 +12,11 @@ namespace wetdeck::report {
 namespace {
 
 std::string bias_table(const Summary& summary) {
-    Table table({"class", "values", "bias (factor)", "its 95 % interval", "scatter"}, "compact");
+    Table table({"class", "against", "values", "bias (factor)", "its 95 % interval", "scatter"}, "compact");
     for (const ClassStatistics& row : summary.statistics) {
         const bool interval = row.bias_low && row.bias_high;
-        table.add({text(row.quantity_class), whole(static_cast<double>(row.count)), value(row.bias),
+        table.add({text(row.quantity_class), text(describe(row.against).heading),
+                   whole(static_cast<double>(row.count)), value(row.bias),
                    text(interval ? number(*row.bias_low) + " to " + number(*row.bias_high) : "—"),
                    value(row.scatter)});
     }
@@ -54,10 +55,10 @@ void add_library_part(Page& page, const Summary& summary, const ReportInputs& in
     if (const std::string bias = bias_table(summary); !bias.empty()) {
         page.section(2, "Bias and scatter over all cases");
         page.add(bias);
-        page.add(
-            paragraph("Bias is the mean factor of computed over measured values; the page of statistics "
-                      "has every point.",
-                      "soft"));
+        page.add(paragraph(
+            "Bias is the mean factor of computed over measured or exact values; the page of statistics "
+            "has every point.",
+            "soft"));
     }
 }
 

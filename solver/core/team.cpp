@@ -2,19 +2,10 @@
 #include "solver/core/team.hpp"
 
 #include <algorithm>
-#include <ctime>
+
+#include "solver/core/processor_seconds.hpp"
 
 namespace wetdeck {
-namespace {
-
-/// Processor time of all threads of this process [s].
-double processor_seconds() {
-    std::timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
 
 void Team::adapt() {
     constexpr double least_work = 0.05, longest_patience = 64;  // [s]

@@ -25,7 +25,7 @@ struct SharedClusters {
 
     /// Calls work(cluster, thread) once for each cluster, a few clusters at a time. A thread takes those of
     /// its own share, so that neighbours in space stay with it from pass to pass; then what others have left,
-    /// so that nobody waits for a thread whose core does something else.
+    /// so that no more than a few wait for a thread whose core does something else.
     template <class Work>
     void for_each(Work work) const {
         constexpr std::size_t taken_at_once = 16;

@@ -2,10 +2,10 @@
 // The pass of the continuity equation, Yang et al. (2020), Eq. (12):
 //     d(rho_i)/dt = 2 rho_i SUM_j V_j F (u_L - u*)
 // and, where it bounds the density of water, the kernel sum S_i = SUM_j V_j W_ij.
-#include "solver/passes/cluster_loop.hpp"
 #include "solver/passes/isa_passes.hpp"
 #include "solver/passes/simd/mixed_lanes.hpp"
 #include "solver/passes/simd/pair_kernel.hpp"
+#include "solver/passes/substep_weight.hpp"
 #include "solver/physics/density_bounds.hpp"
 #include "solver/physics/riemann.hpp"
 #include "solver/physics/wall_boundary.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pass of the momentum equation, Yang et al. (2020), Eq. (12):
 //     dv_i/dt = (2/rho_i) SUM_j V_j P* F r_ij / r + g
-#include "solver/passes/cluster_loop.hpp"
 #include "solver/passes/isa_passes.hpp"
 #include "solver/passes/simd/mixed_lanes.hpp"
 #include "solver/passes/simd/pair_kernel.hpp"
+#include "solver/passes/substep_weight.hpp"
 #include "solver/passes/wall_pair.hpp"
 #include "solver/physics/dissipation.hpp"
 #include "solver/physics/riemann.hpp"

@@ -148,24 +148,22 @@ void Rates::copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const 
     mixed_is_current_ = false;
 }
 
+void Rates::sum_pairs(Pass pass, Flow& flow, double substep_weight) {
+    refresh_mixed_fluid(flow);
+    const Team::Work work(team_);
+    pass(pass_input(flow, substep_weight));
+}
+
 void Rates::density(Flow& flow, double substep_weight) {
     const StageTimer timer(stages_.density);
-    refresh_mixed_fluid(flow);
-    {
-        const Team::Work work(team_);
-        passes_.density_rates(pass_input(flow, substep_weight));
-    }
+    sum_pairs(passes_.density_rates, flow, substep_weight);
     if (setup_.model.sponge_thickness > 0) apply_sponge_layer(flow.fluid, {&flow.fluid.density_rate});
 }
 
 void Rates::momentum(Flow& flow, double substep_weight) {
     const StageTimer timer(stages_.momentum);
     FluidParticles& fluid = flow.fluid;
-    refresh_mixed_fluid(flow);
-    {
-        const Team::Work work(team_);
-        passes_.accelerations(pass_input(flow, substep_weight));
-    }
+    sum_pairs(passes_.accelerations, flow, substep_weight);
     if (const double frequency = setup_.model.central_frequency; frequency > 0) {
         for (std::size_t i = 0; i < fluid.size(); ++i) {
             const double pull = (i < list_.slow() ? substep_weight : 1) * (frequency * frequency);

@@ -43,6 +43,15 @@ struct alignas(64) Met {
     static constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
     std::array<double, phase_count> fastest2{}, densest{};  ///< by phase
     std::size_t first_bad = nobody;                         ///< particle
+
+    /// Takes in what another thread has met.
+    void join(const Met& other) {
+        for (std::size_t k = 0; k < phase_count; ++k) {
+            fastest2[k] = std::max(fastest2[k], other.fastest2[k]);
+            densest[k] = std::max(densest[k], other.densest[k]);
+        }
+        first_bad = std::min(first_bad, other.first_bad);
+    }
 };
 
 /// Evaluates rates. It owns the list of neighbours and no part of the flow.
@@ -125,6 +134,7 @@ class Rates {
 
   private:
     PassInput pass_input(Flow& flow, double substep_weight) const;
+    void sum_pairs(Pass pass, Flow& flow, double substep_weight);
     void set_state(PassInput& in, const Flow& flow, const NeighbourList& list) const;
     void refresh_mixed_fluid(const Flow& flow);
     void copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const;
@@ -145,9 +155,10 @@ class Rates {
     mutable std::optional<MixedFluid> mixed_;  ///< in mixed precision
     mutable bool mixed_is_current_ = false;    ///< whether it holds the fluid as it is now
     Team team_;
-    std::vector<Met> met_;                        ///< of each thread
-    mutable std::vector<NextCluster> next_;       ///< of the shares
-    double left_out_ = 0, fastest_at_first_ = 0;  ///< time for which clusters that rest were left out [s]
+    std::vector<Met> met_;                   ///< of each thread
+    mutable std::vector<NextCluster> next_;  ///< of the shares
+    double left_out_ = 0;                    ///< time for which clusters that rest were left out [s]
+    double fastest_at_first_ = 0;            ///< largest speed in the first sweep of a step [m/s]
     std::vector<RigidBody> listed_bodies_;
     std::uint64_t list_builds_ = 0, summed_in_each_step_ = 0;
     StageTimes stages_;

@@ -150,22 +150,23 @@ double coarsest_at_bodies(const Simulation& simulation) {
     const NeighbourList& list = simulation.neighbours();
     const WallParticles& walls = simulation.walls();
     const FluidState* listed = list.listed(simulation.fluid());
-    double coarsest = 1;
+    const double finest = simulation.particle_spacing();
+    const auto touches = [&](const FluidState& p, const Cluster& cluster) {
+        const double reach = 0.75 * (simulation.spacing_of(p) + finest);
+        const auto first = walls.state.begin() + cluster.first;
+        return std::any_of(first, first + cluster.count, [&](const WallState& w) {
+            return (p.position() - Vec2(w.x, w.y)).squaredNorm() < reach * reach;
+        });
+    };
+    double coarsest = finest;
     for (const Cluster& cluster : list.wall_clusters()) {
         if (cluster.first < walls.fixed) continue;
-        for (std::size_t group = 0; group < group_count; ++group) {
-            for (const std::uint32_t j : fluid_neighbours(list.blocks(), cluster, group)) {
-                const double ratio = simulation.spacing_of(listed[j]) / simulation.particle_spacing();
-                if (ratio <= coarsest) continue;
-                for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
-                    const Vec2 apart = listed[j].position() - Vec2(walls.state[i].x, walls.state[i].y);
-                    const double reach = 0.75 * simulation.particle_spacing() * (ratio + 1);
-                    if (apart.squaredNorm() < reach * reach) coarsest = ratio;
-                }
-            }
-        }
+        for (std::size_t group = 0; group < group_count; ++group)
+            for (const std::uint32_t j : fluid_neighbours(list.blocks(), cluster, group))
+                if (simulation.spacing_of(listed[j]) > coarsest && touches(listed[j], cluster))
+                    coarsest = simulation.spacing_of(listed[j]);
     }
-    return coarsest;
+    return coarsest / finest;
 }
 
 std::size_t particles_in_bodies(const Simulation& simulation, std::span<const Outline> outlines) {

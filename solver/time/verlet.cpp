@@ -100,19 +100,14 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
             densest = std::max(densest, p.density);
             if (!bounds.hold(p, fluid.density_rate[i], cluster.phase)) first_bad = i;
         }
-        Met& own = met[static_cast<std::size_t>(thread)];
-        own.fastest2[phase] = std::max(own.fastest2[phase], fastest2);
-        own.densest[phase] = std::max(own.densest[phase], densest);
-        own.first_bad = std::min(own.first_bad, first_bad);
+        Met own;
+        own.fastest2[phase] = fastest2;
+        own.densest[phase] = densest;
+        own.first_bad = first_bad;
+        met[static_cast<std::size_t>(thread)].join(own);
     });
     Met all;
-    for (const Met& of_thread : met) {
-        for (std::size_t k = 0; k < phase_count; ++k) {
-            all.fastest2[k] = std::max(all.fastest2[k], of_thread.fastest2[k]);
-            all.densest[k] = std::max(all.densest[k], of_thread.densest[k]);
-        }
-        all.first_bad = std::min(all.first_bad, of_thread.first_bad);
-    }
+    for (const Met& of_thread : met) all.join(of_thread);
     for (std::size_t k = 0; k < phase_count; ++k) {
         extremes.fastest[k] = std::sqrt(all.fastest2[k]);
         extremes.densest[k] = std::max(1.0, all.densest[k] / bounds.reference_densities()[k]);

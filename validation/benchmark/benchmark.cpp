@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <ctime>
 
 #include "solver/core/errors.hpp"
+#include "solver/core/processor_seconds.hpp"
 #include "validation/benchmark/instruction_counter.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/scene/scene.hpp"
@@ -31,12 +31,6 @@ constexpr std::array<std::pair<const char*, double StageTimes::*>, 6> timed_stag
      {"bodies", &StageTimes::bodies},
      {"neighbours", &StageTimes::neighbours},
      {"integration", &StageTimes::integration}}};
-
-double processor_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// 1, 2, 4, ... and the largest.
 std::vector<int> thread_counts(int largest) {

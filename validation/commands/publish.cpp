@@ -64,11 +64,12 @@ std::string values_csv(const Summary& summary) {
 }
 
 std::string statistics_csv(const Summary& summary) {
-    std::string out = "class,points,bias,bias low,bias high,scatter,sigma of the data,sigma of the model\n";
+    std::string out =
+        "class,against,points,bias,bias low,bias high,scatter,sigma of the data,sigma of the model\n";
     for (const ClassStatistics& s : summary.statistics) {
-        out += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(s.quantity_class), s.count, number(s.bias),
-                           number(s.bias_low), number(s.bias_high), number(s.scatter), number(s.sigma_data),
-                           number(s.sigma_model));
+        out += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(s.quantity_class), name_of(s.against),
+                           s.count, number(s.bias), number(s.bias_low), number(s.bias_high),
+                           number(s.scatter), number(s.sigma_data), number(s.sigma_model));
     }
     return out;
 }
@@ -116,11 +117,11 @@ std::string runs_section(const Summary& summary) {
 std::string statistics_section(const Summary& summary) {
     std::string out =
         "\n## Bias and scatter\nEmpty cells are unknown.\n\n"
-        "| class | points | bias | 95 % interval | scatter |\n|---|---|---|---|---|\n";
+        "| class | against | points | bias | 95 % interval | scatter |\n|---|---|---|---|---|---|\n";
     for (const ClassStatistics& s : summary.statistics) {
         const std::string interval = s.bias_low ? number(s.bias_low) + " to " + number(s.bias_high) : "";
-        out += fmt::format("| {} | {} | {} | {} | {} |\n", cell(s.quantity_class), s.count, number(s.bias),
-                           interval, number(s.scatter));
+        out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", cell(s.quantity_class),
+                           describe(s.against).heading, s.count, number(s.bias), interval, number(s.scatter));
     }
     return out;
 }

@@ -181,6 +181,7 @@ Summary analyse(const std::vector<AnalysisSpec>& scenes, std::vector<RunSummary>
         if (spec.error_quantity.empty()) continue;
         append(summary.speed_error, speed_error_points(summary.runs, spec, summary.convergence));
     }
+    count_each_once(summary.scatter);
     summary.statistics = class_statistics(summary.scatter);
     return summary;
 }

@@ -82,9 +82,11 @@ inline void to_json(nlohmann::json& j, const ScatterPoint& p) {
          {"dropped", p.dropped}};
 }
 inline void to_json(nlohmann::json& j, const ClassStatistics& row) {
-    j = {{"class", row.quantity_class},  {"points", row.count},           {"bias", row.bias},
-         {"bias_low", row.bias_low},     {"bias_high", row.bias_high},    {"scatter", row.scatter},
-         {"sigma_data", row.sigma_data}, {"sigma_model", row.sigma_model}};
+    j = {{"class", row.quantity_class},   {"against", name_of(row.against)},
+         {"points", row.count},           {"bias", row.bias},
+         {"bias_low", row.bias_low},      {"bias_high", row.bias_high},
+         {"scatter", row.scatter},        {"sigma_data", row.sigma_data},
+         {"sigma_model", row.sigma_model}};
 }
 /// `value` holds each run's; the interval is that of the mean.
 inline void to_json(nlohmann::json& j, const ReplicateRow& row) {

@@ -10,8 +10,7 @@ constexpr std::array<ReferenceKindInfo, 4> table{{
     {ReferenceKind::experiment, "experiment", "measurements", true, false, ""},
     {ReferenceKind::peer_simulation, "peer-simulation", "other simulations (peer simulations, no validation)",
      false, false, "another simulation, no measurement"},
-    {ReferenceKind::analytic, "analytic", "exact or analytic solutions", false, true,
-     "an analytic solution, no measurement"},
+    {ReferenceKind::analytic, "analytic", "exact or analytic solutions", false, true, ""},
     {ReferenceKind::stated, "stated", "values stated in the source", false, false,
      "stated in a publication, no measurement"},
 }};

@@ -17,7 +17,7 @@ struct ReferenceKindInfo {
     ReferenceKind kind;
     const char* name;         ///< in scene files, reference files and summary.json
     const char* heading;      ///< for readers of the report
-    bool validates;           ///< agreement counts as validation: in E +- u_val and in bias and scatter
+    bool validates;           ///< agreement counts as validation, in E +- u_val
     bool exact;               ///< the reference has no uncertainty of its own
     const char* not_counted;  ///< why it does not enter bias and scatter; empty if it does
 };

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
+#include <utility>
 
 #include "validation/metrics/curve_metrics.hpp"
 
@@ -29,15 +31,28 @@ const Series* series_of(const RunSummary& run, const std::string& name) {
     return found == run.record.series.end() ? nullptr : &found->second;
 }
 
-/// The finest sound run of the default variant.
-const RunSummary* representative_run(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
-    const RunSummary* finest = nullptr;
+/// The finest sound run of each variant, that of the default variant first.
+std::vector<const RunSummary*> representative_runs(const AnalysisSpec& scene,
+                                                   const std::vector<RunSummary>& runs) {
+    std::vector<const RunSummary*> finest;
     for (const RunSummary& run : runs) {
-        const RunRecord& r = run.record;
-        if (!applies(scene, r) || r.variant != scene.default_variant || !counts(run)) continue;
-        if (finest == nullptr || r.particle_spacing < finest->record.particle_spacing) finest = &run;
+        if (!applies(scene, run.record) || !counts(run)) continue;
+        const auto known = std::find_if(finest.begin(), finest.end(), [&](const RunSummary* other) {
+            return other->record.variant == run.record.variant;
+        });
+        if (known == finest.end())
+            finest.push_back(&run);
+        else if (run.record.particle_spacing < (*known)->record.particle_spacing)
+            *known = &run;
     }
+    std::stable_partition(finest.begin(), finest.end(), [&](const RunSummary* run) {
+        return run->record.variant == scene.default_variant;
+    });
     return finest;
+}
+
+bool exact(const ScatterPoint& point) {
+    return point.kind && describe(*point.kind).exact;
 }
 
 ScatterPoint point_of(const RunSummary& run) {
@@ -87,6 +102,8 @@ std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSu
     point.kind = spec.expected_kind;
     if (spec.expected_uncertainty && spec.assumed_reason.empty() && *spec.expected != 0)
         point.u_data = *spec.expected_uncertainty / std::abs(*spec.expected);
+    else if (exact(point))
+        point.u_data = 0;
     return point;
 }
 
@@ -106,14 +123,85 @@ std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSum
     point.kind = c.kind;
     if (c.reference_uncertainty && *expected != 0)
         point.u_data = c.reference_uncertainty->of(*expected) / std::abs(*expected);
+    else if (exact(point))
+        point.u_data = 0;
     return point;
 }
 
 std::string reason_to_drop(const ScatterPoint& point) {
     if (!point.kind) return "the scene does not say what kind the expected value is";
-    if (!describe(*point.kind).validates) return describe(*point.kind).not_counted;
+    if (const std::string reason = describe(*point.kind).not_counted; !reason.empty()) return reason;
     if (!(point.predicted * point.expected > 0)) return "of another sign, or zero: no logarithm of the ratio";
     return "";
+}
+
+/// Those of one run, as scatter_points says.
+std::vector<ScatterPoint> points_of(const AnalysisSpec& scene, const RunSummary& run) {
+    std::vector<ScatterPoint> points;
+    std::map<std::string, std::string> taken;  // series, class and kind, then the point that represents them
+    for (const QuantitySpec& spec : scene.quantities) {
+        if (auto point = quantity_point(spec, run)) {
+            point->dropped = reason_to_drop(*point);
+            if (point->dropped.empty())
+                taken[spec.series + "|" + point->quantity_class + "|" + name_of(point->kind)] = spec.name;
+            points.push_back(std::move(*point));
+        }
+    }
+    for (std::size_t k = 0; k < scene.comparisons.size() && k < run.comparisons.size(); ++k) {
+        const ComparisonResult& c = run.comparisons[k];
+        auto point = curve_point(scene.comparisons[k], run, c);
+        if (!point) continue;
+        point->dropped = reason_to_drop(*point);
+        if (point->dropped.empty()) {
+            const std::string as_quantity =
+                c.quantity + "|" + point->quantity_class + "|" + name_of(point->kind);
+            const std::string as_record =
+                as_quantity + "|" + c.citation + "|" + scene.comparisons[k].y_column;
+            if (const auto found = taken.find(as_quantity); found != taken.end()) {
+                point->dropped = fmt::format("'{}' stands for this series", found->second);
+            } else if (!taken.emplace(as_record, c.reference).second) {
+                point->dropped = fmt::format("another reading of '{}'", taken.at(as_record));
+            }
+        }
+        points.push_back(std::move(*point));
+    }
+    for (ScatterPoint& point : points) point.counted = point.dropped.empty();
+    return points;
+}
+
+/// Bias and scatter of points of one class against one kind of reference.
+ClassStatistics statistics_of(const std::vector<const ScatterPoint*>& members) {
+    ClassStatistics result;
+    result.quantity_class = statistics_class(members.front()->quantity_class);
+    result.against = *members.front()->kind;
+    result.count = members.size();
+    const auto n = static_cast<double>(members.size());
+    double mean = 0, data_variance = 0, variance = 0;
+    bool data_known = true;
+    for (const ScatterPoint* p : members) {
+        mean += std::log(p->predicted / p->expected) / n;
+        data_known = data_known && p->u_data.has_value();
+        if (p->u_data) data_variance += *p->u_data * *p->u_data / n;
+    }
+    for (const ScatterPoint* p : members) {
+        const double off = std::log(p->predicted / p->expected) - mean;
+        if (n > 1) variance += off * off / (n - 1);
+    }
+    if (data_known) result.sigma_data = std::sqrt(data_variance);
+    double shift = 0;
+    if (members.size() > 1) {
+        result.scatter = std::sqrt(variance);
+        if (data_known) {
+            const double model_variance = std::max(0.0, variance - data_variance);
+            result.sigma_model = std::sqrt(model_variance);
+            shift = 0.5 * (model_variance - data_variance);
+        }
+        const double half = gsl_cdf_tdist_Pinv(0.975, n - 1) * std::sqrt(variance / n);
+        result.bias_low = std::exp(mean + shift - half);
+        result.bias_high = std::exp(mean + shift + half);
+    }
+    result.bias = std::exp(mean + shift);
+    return result;
 }
 
 }  // namespace
@@ -134,76 +222,43 @@ std::string quantity_class(Dimension dimension, const std::string& series_unit) 
     return name;
 }
 
+std::string statistics_class(const std::string& quantity_class) {
+    static const std::map<std::string, std::string> wider{
+        {"position", "motion"},       {"velocity", "motion"},         {"angle", "motion"},
+        {"acceleration", "motion"},   {"angular velocity", "motion"}, {"slope of force", "force"},
+        {"slope of torque", "torque"}};
+    const auto found = wider.find(quantity_class);
+    return found == wider.end() ? quantity_class : found->second;
+}
+
 std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     std::vector<ScatterPoint> points;
-    const RunSummary* run = representative_run(scene, runs);
-    if (run == nullptr) return points;
-    std::map<std::string, std::string> taken;  // series and class, then the point that represents them
-    for (const QuantitySpec& spec : scene.quantities) {
-        if (auto point = quantity_point(spec, *run)) {
-            point->dropped = reason_to_drop(*point);
-            if (point->dropped.empty()) taken[spec.series + "|" + point->quantity_class] = spec.name;
-            points.push_back(std::move(*point));
-        }
+    for (const RunSummary* run : representative_runs(scene, runs)) {
+        const bool all = run->record.variant == scene.default_variant;
+        for (ScatterPoint& point : points_of(scene, *run))
+            if (all || exact(point)) points.push_back(std::move(point));
     }
-    for (std::size_t k = 0; k < scene.comparisons.size() && k < run->comparisons.size(); ++k) {
-        const ComparisonResult& c = run->comparisons[k];
-        auto point = curve_point(scene.comparisons[k], *run, c);
-        if (!point) continue;
-        point->dropped = reason_to_drop(*point);
-        if (point->dropped.empty()) {
-            const std::string as_quantity = c.quantity + "|" + point->quantity_class;
-            const std::string as_record = as_quantity + "|" + c.citation;
-            if (const auto found = taken.find(as_quantity); found != taken.end()) {
-                point->dropped = fmt::format("'{}' stands for this series", found->second);
-            } else if (!taken.emplace(as_record, c.reference).second) {
-                point->dropped = fmt::format("another reading of '{}'", taken.at(as_record));
-            }
-        }
-        points.push_back(std::move(*point));
-    }
-    for (ScatterPoint& point : points) point.counted = point.dropped.empty();
     return points;
 }
 
+void count_each_once(std::vector<ScatterPoint>& points) {
+    std::map<std::tuple<std::string, std::string, double>, std::string> variants;
+    for (ScatterPoint& point : points) {
+        if (!point.counted) continue;
+        const auto [first, is_new] = variants.emplace(
+            std::tuple(point.scene, point.quantity + point.against, point.expected), point.variant);
+        if (is_new) continue;
+        point.counted = false;
+        point.dropped = fmt::format("the variant '{}' stands for this value", first->second);
+    }
+}
+
 std::vector<ClassStatistics> class_statistics(const std::vector<ScatterPoint>& points) {
-    std::map<std::string, std::vector<const ScatterPoint*>> classes;
-    for (const ScatterPoint& point : points) {
-        if (point.counted) classes[point.quantity_class].push_back(&point);
-    }
+    std::map<std::pair<ReferenceKind, std::string>, std::vector<const ScatterPoint*>> classes;
+    for (const ScatterPoint& point : points)
+        if (point.counted) classes[{*point.kind, statistics_class(point.quantity_class)}].push_back(&point);
     std::vector<ClassStatistics> all;
-    for (const auto& [name, members] : classes) {
-        ClassStatistics result;
-        result.quantity_class = name;
-        result.count = members.size();
-        const auto n = static_cast<double>(members.size());
-        double mean = 0, data_variance = 0, variance = 0;
-        bool data_known = true;
-        for (const ScatterPoint* p : members) {
-            mean += std::log(p->predicted / p->expected) / n;
-            data_known = data_known && p->u_data.has_value();
-            if (p->u_data) data_variance += *p->u_data * *p->u_data / n;
-        }
-        for (const ScatterPoint* p : members) {
-            const double off = std::log(p->predicted / p->expected) - mean;
-            if (n > 1) variance += off * off / (n - 1);
-        }
-        if (data_known) result.sigma_data = std::sqrt(data_variance);
-        double shift = 0;
-        if (members.size() > 1) {
-            result.scatter = std::sqrt(variance);
-            if (data_known) {
-                const double model_variance = std::max(0.0, variance - data_variance);
-                result.sigma_model = std::sqrt(model_variance);
-                shift = 0.5 * (model_variance - data_variance);
-            }
-            const double half = gsl_cdf_tdist_Pinv(0.975, n - 1) * std::sqrt(variance / n);
-            result.bias_low = std::exp(mean + shift - half);
-            result.bias_high = std::exp(mean + shift + half);
-        }
-        result.bias = std::exp(mean + shift);
-        all.push_back(std::move(result));
-    }
+    for (const auto& [of, members] : classes) all.push_back(statistics_of(members));
     return all;
 }
 

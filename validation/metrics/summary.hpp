@@ -154,6 +154,7 @@ struct ScatterPoint {
 /// Bias and scatter of one class of quantities over all scenes; see statistics.hpp.
 struct ClassStatistics {
     std::string quantity_class;
+    ReferenceKind against = ReferenceKind::experiment;
     std::size_t count = 0;
     std::optional<double> bias, bias_low, bias_high;  ///< factor, with its 95 % confidence interval
     std::optional<double> scatter;                    ///< relative standard deviation of all that differs

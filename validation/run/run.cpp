@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "solver/core/errors.hpp"
+#include "solver/core/processor_seconds.hpp"
 #include "solver/scheme_revision.hpp"
 #include "validation/metrics/quantities.hpp"
 #include "validation/metrics/time_origin.hpp"
@@ -31,12 +31,6 @@
 
 namespace wetdeck {
 namespace {
-
-double processor_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 /// Every model ingredient and number, as the simulation took them.
 void record_parameters(RunRecord& record, Scene scene, const Simulation& simulation) {

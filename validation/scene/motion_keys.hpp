@@ -59,7 +59,7 @@ solids[].outline | m | required | as `body.outline` | a solid that is fixed in t
   faces; forces on it are recorded as those of bodies, behind the last body |
 solids[].name | | solid, solid_2, ... | text | of the solid, for probes and messages |
 solids[].position | m | [0, 0] | [x, y] | where the origin of the outline lies in the tank |
-symmetry.x | m | none | the middle of the tank | a plane of symmetry: the half to the right of it is computed, and forces, masses and energies are
+symmetry.x | m | none | the middle of the tank, or "none" | a plane of symmetry: the half to the right of it is computed, and forces, masses and energies are
   those of the whole; refused where anything is not symmetric | an upright section at half the cost
 resolution.around | m | none: equal spacings | "body", "surface", [x, y] or [x_low, y_low, x_high, y_high] | where particles are finest, as fine as --dx says:
   a box around the bodies and where they go, the level, a point or a box. From there spacings grow. The water is one layer from wall to wall, without

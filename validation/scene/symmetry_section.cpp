@@ -59,10 +59,18 @@ std::string asymmetry(const BodySpec& spec, double plane) {
 void read_symmetry(const TomlTable& root, Scene& scene) {
     const std::optional<TomlTable> table = root.optional_table("symmetry");
     if (!table) return;
+    if (table->holds_text("x") && !table->holds_expression("x")) {
+        table->choice("x", {"none"});
+        table->finish();
+        return;
+    }
     const double plane = table->number("x");
     table->finish();
     const auto refuse = [&](const std::string& what) {
-        table->fail("x", fmt::format("{} not symmetric about x = {:.6g} m", what, plane));
+        table->fail(
+            "x",
+            fmt::format("{} not symmetric about x = {:.6g} m; symmetry.x = \"none\" computes the whole tank",
+                        what, plane));
     };
     if (std::abs(plane - 0.5 * (scene.tank.low.x() + scene.tank.high.x())) > tolerance)
         table->fail("x", fmt::format("is {:.6g} m, expected the middle of the tank, {:.6g} m", plane,
@@ -73,9 +81,13 @@ void read_symmetry(const TomlTable& root, Scene& scene) {
     if (scene.initial.law != InitialPressure::Law::hydrostatic) refuse("the pressure at the start is");
     if (scene.tank_motion.motion[0] || scene.tank_motion.motion[2]) refuse("the motion of the tank is");
     if (scene.model.contact.on())
-        table->fail("x", "half a tank has no contacts of bodies: take out the table [contact]");
+        table->fail("x",
+                    "half a tank has no contacts of bodies: take out the table [contact], or set symmetry.x "
+                    "= \"none\"");
     if (scene.model.sponge_thickness > 0)
-        table->fail("x", "half a tank has no sponge layer: set model.sponge_thickness to 0");
+        table->fail(
+            "x",
+            "half a tank has no sponge layer: set model.sponge_thickness to 0, or symmetry.x to \"none\"");
     for (const BodySpec& spec : scene.bodies)
         if (const std::string what = asymmetry(spec, plane); !what.empty())
             refuse(fmt::format("{}: {} is", spec.name, what));

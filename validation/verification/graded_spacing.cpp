@@ -211,9 +211,10 @@ Problem graded_spacing() {
          {std::pair{0.0, "equal spacings"}, {0.05, "5 % a spacing"}, {0.1, "10 % a spacing"}}) {
         const std::string name = suffix_of(growth), of = std::string(", ") + words;
         const auto claim = [&](const char* quantity, const std::string& meaning,
-                               const std::string& resolution, double bound, const std::string& reason) {
+                               const std::string& resolution, double bound, const std::string& reason,
+                               const std::string& kind = "") {
             problem.claims.push_back(
-                {std::string(quantity) + name, meaning + of, resolution, bound, {}, reason + no_order});
+                {quantity + name + kind, meaning + of, resolution, bound, {}, reason + no_order});
         };
         const double reflection = growth == 0 ? 0.01 : growth < 0.075 ? 0.02 : 0.05;
         const std::string what_reflects =
@@ -228,18 +229,8 @@ Problem graded_spacing() {
         claim("transmission_", ahead, pulse, 0.06, what_slows);
         if (growth == 0.1) {
             const std::string slow = ", longer steps of the coarse particles";
-            problem.claims.push_back({"reflection_" + name + long_steps,
-                                      behind + of + slow,
-                                      pulse,
-                                      reflection,
-                                      {},
-                                      what_reflects + no_order});
-            problem.claims.push_back({"transmission_" + name + long_steps,
-                                      ahead + of + slow,
-                                      pulse,
-                                      0.06,
-                                      {},
-                                      what_slows + no_order});
+            claim("reflection_", behind + slow, pulse, reflection, what_reflects, long_steps);
+            claim("transmission_", ahead + slow, pulse, 0.06, what_slows, long_steps);
         }
         claim("frequency_", "relative error of the frequency of a standing wave", side, 0.04,
               "that of equal spacings four times as large, first order: 1 % at 40 spacings across");

@@ -62,6 +62,7 @@ Summary analysed(const AnalysisSpec& spec, std::vector<RunSummary> runs,
 ScatterPoint pair(double expected, double predicted, std::optional<double> u_data) {
     ScatterPoint p;
     p.quantity_class = "pressure";
+    p.kind = ReferenceKind::experiment;
     p.expected = expected;
     p.predicted = predicted;
     p.u_data = u_data;
@@ -246,6 +247,49 @@ TEST_CASE("Only the finest sound run of the default variant counts, in SI units"
     CHECK(summary.scatter[0].predicted == Approx(1103));
     CHECK(summary.scatter[0].u_data.value() == Approx(0.01));
     CHECK(summary.statistics.at(0).bias.value() == Approx(1.103));
+}
+
+TEST_CASE("Exact solutions have statistics of their own, from every variant, each value once",
+          "[statistics]") {
+    AnalysisSpec spec = scene();
+    spec.quantities[0].expected_kind = ReferenceKind::analytic;
+    spec.quantities[0].expected_uncertainty.reset();
+    const std::vector<RunSummary> runs = {run(0.02, 12), run(0.01, 11), run(0.01, 13, "b")};
+    Summary summary = analysed(spec, runs);
+    REQUIRE(summary.scatter.size() == 2);
+    CHECK(summary.scatter[0].variant == "a");
+    CHECK(summary.scatter[1].dropped == "the variant 'a' stands for this value");
+    REQUIRE(summary.statistics.size() == 1);
+    CHECK(summary.statistics[0].against == ReferenceKind::analytic);
+    CHECK(summary.statistics[0].bias.value() == Approx(1.1));
+    CHECK(summary.statistics[0].sigma_data.value() == 0);
+
+    AnalysisSpec other = spec;  // the same quantity, with another value for variant b
+    spec.variant = "a";
+    other.variant = "b";
+    other.quantities[0].expected = 12;
+    summary = analyse({spec, other}, runs, "/nonexistent", {});
+    CHECK(summary.statistics.at(0).count == 2);
+    CHECK(summary.statistics[0].bias.value() ==
+          Approx(std::sqrt(1.1 * 13 / 12) * std::exp(0.5 * 0.5 * std::pow(std::log(1.1 * 12 / 13), 2))));
+}
+
+TEST_CASE("Measurements and exact solutions of one class are not mixed", "[statistics]") {
+    ScatterPoint exact = pair(2, 2.2, 0);
+    exact.kind = ReferenceKind::analytic;
+    const auto rows = class_statistics({exact, pair(2, 3, {})});
+    REQUIRE(rows.size() == 2);
+    CHECK(rows[0].against == ReferenceKind::experiment);
+    CHECK(rows[0].bias.value() == Approx(1.5));
+    CHECK(rows[1].bias.value() == Approx(1.1));
+}
+
+TEST_CASE("Positions, velocities, angles and accelerations are motion", "[statistics]") {
+    for (const char* const each : {"position", "velocity", "angle", "acceleration", "angular velocity"})
+        CHECK(statistics_class(each) == "motion");
+    CHECK(statistics_class("slope of force") == "force");
+    CHECK(statistics_class("pressure") == "pressure");
+    CHECK(statistics_class("time") == "time");
 }
 
 TEST_CASE("Two negative values count by their ratio", "[statistics]") {

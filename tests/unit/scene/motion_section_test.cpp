@@ -255,6 +255,10 @@ TEST_CASE("a plane of symmetry halves the particles and keeps the body, asymmetr
     CHECK_THAT(said({"body.velocity_x=0.1"}), Contains("its velocity is not symmetric"));
     CHECK_THAT(said({"body.free=[\"x\"]", "body.mass=5.0"}), Contains("its freedom"));
     CHECK_THAT(said({"gravity=[1.0,-9.81]"}), Contains("gravity is not symmetric"));
+    CHECK_THAT(said({"gravity=[1.0,-9.81]"}), Contains("symmetry.x = \"none\" computes the whole tank"));
+    CHECK(said({"gravity=[1.0,-9.81]", "symmetry.x=\"none\""}) == "");
+    CHECK_THAT(said({"symmetry.x=\"left\""}), Contains("expected none"));
+    CHECK_FALSE(scene_with({"symmetry.x=\"none\""}).symmetry);
 }
 
 TEST_CASE("figures of a body at rest and of its entry", "[scene]") {

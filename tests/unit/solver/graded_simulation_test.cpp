@@ -44,6 +44,15 @@ auto resting_clusters(const Simulation& simulation) {
     return std::count_if(clusters.begin(), clusters.end(), [](const Cluster& c) { return c.rests; });
 }
 
+/// Checks the sum of all forces ten steps apart.
+void check_momentum(const samples::Setup& setup, int times, double most) {
+    Simulation simulation = setup.simulate();
+    for (int n = 0; n < times; ++n) {
+        CHECK(simulation.momentum_error() < most);
+        samples::step_stably(simulation, 10);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("a graded run goes on from a stored state, and on other threads, to the same bits",
@@ -57,11 +66,7 @@ TEST_CASE("a graded run goes on from a stored state, and on other threads, to th
 
 TEST_CASE("pairs of different spacings push each other with opposite forces all through a run",
           "[graded][simulation]") {
-    Simulation simulation = stirred_tank(samples::two_phase_model()).simulate();
-    for (int n = 0; n < 5; ++n) {
-        CHECK(simulation.momentum_error() < 1e-13);
-        samples::step_stably(simulation, 10);
-    }
+    check_momentum(stirred_tank(samples::two_phase_model()), 5, 1e-13);
 }
 
 TEST_CASE("a set-up without finenesses, or with wrong ones, is no graded set-up", "[graded][simulation]") {
@@ -84,16 +89,10 @@ TEST_CASE("runs in which fine water takes shorter steps keep momentum, and go on
     model.coarse_substeps = 3;
     samples::Setup setup = stirred_water(model);
     setup.execution.precision = GENERATE(Precision::double_precision, Precision::mixed);
-    {
-        Simulation simulation = setup.simulate();
-        REQUIRE(simulation.substeps() == 3);
-        REQUIRE(resting_clusters(simulation) > 3);
-        const double most = setup.execution.precision == Precision::mixed ? 1e-7 : 1e-13;
-        for (int n = 0; n < 3; ++n) {
-            CHECK(simulation.momentum_error() < most);
-            samples::step_stably(simulation, 10);
-        }
-    }
+    const Simulation start = setup.simulate();
+    REQUIRE(start.substeps() == 3);
+    REQUIRE(resting_clusters(start) > 3);
+    check_momentum(setup, 3, setup.execution.precision == Precision::mixed ? 1e-7 : 1e-13);
     samples::check_restored_run(setup, 20);
 }
 
