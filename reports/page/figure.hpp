@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -76,10 +77,16 @@ std::string gnuplot_script(const Figure& figure, const std::filesystem::path& ou
 /// True if a program of that name is on the PATH.
 bool gnuplot_found();
 
-/// Draws `figure` to an SVG file, which appears whole or not at all and has title and stamp, and returns the
-/// drawing without these for a page that has them already. Throws EnvironmentError with the message of
-/// gnuplot if it fails.
-std::string write_svg(const Figure& figure, const std::filesystem::path& path);
+/// What came of a drawing.
+struct Drawing {
+    std::string svg;      ///< without title and stamp, for a page that has them already
+    std::string failure;  ///< the file and the message of gnuplot; empty where it has drawn
+};
+
+/// Draws each figure to NAME.svg in a folder; a file appears whole or not at all and has title and stamp. One
+/// process of gnuplot draws them all, and another what is left where it fails at one: it takes longer to
+/// start than to draw.
+std::vector<Drawing> write_svgs(std::span<const Figure> figures, const std::filesystem::path& folder);
 
 /// The same drawing in fewer bytes: without empty groups, coordinates to a tenth of a pixel, texts untouched.
 std::string smaller_svg(const std::string& svg);

@@ -179,6 +179,17 @@ std::string with_title(const std::string& svg, const Figure& figure) {
            svg.substr(close);
 }
 
+/// What gnuplot has drawn, made smaller; empty where it has not come to its end.
+std::string finished_drawing(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path)) return "";
+    const std::string drawn = read_whole_file(path);
+    if (drawn.find("</svg>") == std::string::npos) return "";
+    std::string svg = smaller_svg(drawn);
+    // The drawing is seen on machines that lack the font.
+    replace_all(svg, "font-family=\"DejaVu Sans", fmt::format("font-family=\"{}", drawing_fonts));
+    return svg;
+}
+
 }  // namespace
 
 std::string gnuplot_script(const Figure& figure, const std::filesystem::path& output) {
@@ -210,25 +221,34 @@ bool gnuplot_found() {
     return program_found("gnuplot");
 }
 
-std::string write_svg(const Figure& figure, const std::filesystem::path& path) {
-    const std::filesystem::path drawing = temporary_name(path);
-    std::filesystem::path script = path;
-    script.replace_extension(".gnuplot.tmp");
-    atomic_write(script, gnuplot_script(figure, drawing));
-    const ShellResult result = run_in_shell("gnuplot " + shell_quoted(script.string()));
+std::vector<Drawing> write_svgs(std::span<const Figure> figures, const std::filesystem::path& folder) {
+    const std::filesystem::path script = temporary_name(folder / "figures.gnuplot");
+    std::vector<std::filesystem::path> drawn;  // by gnuplot, before they get their title
+    for (const Figure& figure : figures) drawn.push_back(temporary_name(folder / (figure.name + ".svg")));
+    std::vector<Drawing> drawings;
     std::error_code ignored;
+    while (drawings.size() < figures.size()) {
+        std::string commands;
+        for (std::size_t k = drawings.size(); k < figures.size(); ++k)
+            commands += gnuplot_script(figures[k], drawn[k]) + "unset output\nreset\n";
+        atomic_write(script, commands);
+        const ShellResult result = run_in_shell("gnuplot " + shell_quoted(script.string()));
+        bool complete = true;
+        for (std::size_t k = drawings.size(); complete && k < figures.size(); ++k) {
+            const std::filesystem::path path = folder / (figures[k].name + ".svg");
+            Drawing drawing{finished_drawing(drawn[k]), {}};
+            complete = !drawing.svg.empty();
+            if (complete)
+                atomic_write(path, with_title(drawing.svg, figures[k]));
+            else
+                drawing.failure = fmt::format("{}: gnuplot failed (status {}): {}", path.string(),
+                                              result.status, last_line(result.output));
+            drawings.push_back(std::move(drawing));
+        }
+        for (const std::filesystem::path& each : drawn) std::filesystem::remove(each, ignored);
+    }
     std::filesystem::remove(script, ignored);
-    const std::string drawn = std::filesystem::exists(drawing) ? read_whole_file(drawing) : "";
-    std::filesystem::remove(drawing, ignored);
-    if (!result.succeeded())
-        throw EnvironmentError(fmt::format("{}: gnuplot failed (status {}): {}", path.string(), result.status,
-                                           last_line(result.output)));
-    if (drawn.empty()) throw EnvironmentError(path.string() + ": gnuplot drew nothing");
-    std::string svg = smaller_svg(drawn);
-    // The drawing is seen on machines that lack the font.
-    replace_all(svg, "font-family=\"DejaVu Sans", fmt::format("font-family=\"{}", drawing_fonts));
-    atomic_write(path, with_title(svg, figure));
-    return svg;
+    return drawings;
 }
 
 }  // namespace wetdeck::report

@@ -36,13 +36,25 @@ std::string Page::file_links(const std::string& name) const {
     return out + fmt::format("<a href=\"figures/{0}.csv\">{0}.csv</a>", name);
 }
 
-std::string Page::figure(Figure figure) {
-    figure.name = pages_.take(slug(figure.name), figure.title, *this);
-    figure.stamp = pages_.stamp_;
-    const std::string csv = figure.name + ".csv";
-    atomic_write(pages_.figures_ / csv, figure_csv(figure));
-    pages_.files_.insert(csv);
+std::string Page::figure(const Figure& figure) {
+    return figures({&figure, 1}).front();
+}
 
+std::vector<std::string> Page::figures(std::span<const Figure> wanted) {
+    std::vector<Figure> named(wanted.begin(), wanted.end());
+    for (Figure& each : named) {
+        each.name = pages_.take(slug(each.name), each.title, *this);
+        each.stamp = pages_.stamp_;
+        const std::string csv = each.name + ".csv";
+        atomic_write(pages_.figures_ / csv, figure_csv(each));
+        pages_.files_.insert(csv);
+    }
+    std::vector<std::string> markup = pages_.static_drawings(named);
+    for (std::size_t k = 0; k < named.size(); ++k) markup[k] = framed(named[k], markup[k]);
+    return markup;
+}
+
+std::string Page::framed(const Figure& figure, const std::string& drawing) {
     std::string html = fmt::format("<figure class=\"drawing\" id=\"{}\"><figcaption>{}</figcaption>\n",
                                    figure.name, named_words(figure.title, figure.identifier));
     if (pages_.draws_interactive()) {
@@ -52,7 +64,7 @@ std::string Page::figure(Figure figure) {
             "<div class=\"plot\"></div><script type=\"application/json\" class=\"plot-data\">{}</script>\n",
             escape_json(plotly_figure(figure).dump(-1, ' ', false, replace)));
     }
-    html += pages_.static_drawing(figure);
+    html += drawing;
     const bool told = !captions_.insert(figure.caption).second;
     return html + "<p class=\"caption\">" + (told ? "" : escape(figure.caption)) + file_links(figure.name) +
            "</p></figure>\n";
@@ -61,7 +73,7 @@ std::string Page::figure(Figure figure) {
 void Page::add_figures(const std::vector<Figure>& figures) {
     if (figures.empty()) return;
     body_ += "<div class=\"figures\">\n";
-    for (const Figure& each : figures) body_ += figure(each);
+    for (const std::string& each : this->figures(figures)) body_ += each;
     body_ += "</div>\n";
 }
 

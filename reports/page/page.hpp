@@ -6,6 +6,7 @@
 #include <list>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,7 +31,7 @@ class Page {
     /// Safe markup.
     void add(const std::string& html) { body_ += html; }
     /// Writes the figure's files and returns its markup.
-    std::string figure(Figure figure);
+    std::string figure(const Figure& figure);
     /// Figures side by side where there is room.
     void add_figures(const std::vector<Figure>& figures);
 
@@ -44,6 +45,10 @@ class Page {
     bool interactive() const { return interactive_; }
 
   private:
+    /// Writes the figures' files and returns the markup of each.
+    std::vector<std::string> figures(std::span<const Figure> wanted);
+    /// A figure with its caption and links around the markup of its drawing.
+    std::string framed(const Figure& figure, const std::string& drawing);
     std::string file_links(const std::string& name) const;
 
     Pages& pages_;
@@ -93,7 +98,8 @@ class Pages {
 
     /// Takes the name, with -2, -3, ... if it is taken.
     std::string take(const std::string& wanted, std::string_view title, const Page& page);
-    std::string static_drawing(const Figure& figure);
+    /// The markup of the drawings, or of why there is none.
+    std::vector<std::string> static_drawings(std::span<const Figure> figures);
     std::string links(const Page* current) const;
     std::string framed(const std::string& title, const std::string& links, const std::string& content,
                        bool interactive) const;

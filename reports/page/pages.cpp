@@ -73,17 +73,22 @@ std::vector<std::string> Pages::anchors_like(const std::string& name) const {
     return out;
 }
 
-std::string Pages::static_drawing(const Figure& figure) {
-    if (!gnuplot_) return draws_interactive() ? "" : paragraph("Not drawn: gnuplot was not found.", "notice");
-    const std::filesystem::path path = figures_ / (figure.name + ".svg");
-    try {
-        const std::string svg = write_svg(figure, path);
-        files_.insert(path.filename().string());
-        return fmt::format("<img class=\"static\" alt=\"{}\" src=\"{}\">\n", escape(figure.title),
-                           svg_address(svg));
-    } catch (const EnvironmentError& error) {
-        return paragraph(std::string("Not drawn: ") + error.what(), "notice");
+std::vector<std::string> Pages::static_drawings(std::span<const Figure> figures) {
+    if (!gnuplot_)
+        return {figures.size(),
+                draws_interactive() ? "" : paragraph("Not drawn: gnuplot was not found.", "notice")};
+    std::vector<std::string> markup;
+    const std::vector<Drawing> drawings = write_svgs(figures, figures_);
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        if (!drawings[k].failure.empty()) {
+            markup.push_back(paragraph("Not drawn: " + drawings[k].failure, "notice"));
+            continue;
+        }
+        files_.insert(figures[k].name + ".svg");
+        markup.push_back(fmt::format("<img class=\"static\" alt=\"{}\" src=\"{}\">\n",
+                                     escape(figures[k].title), svg_address(drawings[k].svg)));
     }
+    return markup;
 }
 
 std::vector<std::pair<std::string, std::string>> Pages::listed() const {

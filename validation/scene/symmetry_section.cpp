@@ -60,7 +60,9 @@ void read_symmetry(const TomlTable& root, Scene& scene) {
     const std::optional<TomlTable> table = root.optional_table("symmetry");
     if (!table) return;
     if (table->holds_text("x") && !table->holds_expression("x")) {
-        table->choice("x", {"none"});
+        if (table->text("x") != "none")
+            table->fail(
+                "x", fmt::format("is '{}', expected the middle of the tank or \"none\"", table->text("x")));
         table->finish();
         return;
     }

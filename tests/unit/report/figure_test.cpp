@@ -192,7 +192,8 @@ TEST_CASE("gnuplot draws every style, also into a folder with quotes and spaces 
         figure.series.push_back(s);
     }
     figure.stamp = "revision <1>";
-    const std::string drawn = write_svg(figure, folder / "a.svg");
+    figure.name = "a";
+    const std::string drawn = write_svgs({&figure, 1}, folder).at(0).svg;
     const std::string file = samples::bytes_of(folder / "a.svg");
     for (const std::string& svg : {drawn, file}) CHECK(samples::contains(svg, "</svg>"));
     // the page has title and stamp of its own
@@ -214,19 +215,46 @@ TEST_CASE("A figure without data is drawn as empty axes", "[report]") {
     Figure figure;
     figure.name = "empty";
     figure.y.logarithmic = GENERATE(false, true);
-    CHECK(samples::contains(write_svg(figure, scratch / "empty.svg"), "</svg>"));
+    CHECK(samples::contains(write_svgs({&figure, 1}, scratch).at(0).svg, "</svg>"));
 }
 
-TEST_CASE("A failure of gnuplot is reported in its own words and leaves nothing behind", "[report]") {
+TEST_CASE("A failure of gnuplot is reported in its own words, and the other figures are drawn", "[report]") {
     if (!gnuplot_found()) {
         WARN("gnuplot was not found: nothing drawn");
         return;
     }
     const samples::ScratchFolder scratch;
-    Figure figure = sample();
-    figure.series[0].colour = "no such colour";
-    CHECK_THROWS_WITH(write_svg(figure, scratch / "a.svg"), Catch::Contains("a.svg: gnuplot failed"));
-    CHECK(samples::names_in(scratch).empty());
+    std::vector<Figure> figures(4, sample());
+    for (std::size_t k = 0; k < figures.size(); ++k)
+        figures[k].name = std::string(1, static_cast<char>('a' + k));
+    figures[1].series[0].colour = "no such colour";
+    const std::vector<Drawing> drawings = write_svgs(figures, scratch);
+    REQUIRE(drawings.size() == 4);
+    for (const std::size_t k : {0U, 2U, 3U}) {
+        CHECK(drawings[k].failure.empty());
+        CHECK(samples::contains(drawings[k].svg, "</svg>"));
+    }
+    CHECK(samples::contains(drawings[1].failure, "b.svg: gnuplot failed"));
+    CHECK(drawings[1].svg.empty());
+    std::vector<std::string> names = samples::names_in(scratch);
+    std::sort(names.begin(), names.end());
+    CHECK(names == std::vector<std::string>{"a.svg", "c.svg", "d.svg"});
+}
+
+TEST_CASE("A figure is drawn as if it were alone", "[report]") {
+    if (!gnuplot_found()) {
+        WARN("gnuplot was not found: nothing drawn");
+        return;
+    }
+    const samples::ScratchFolder alone, together;
+    Figure first = sample(), second = sample();
+    first.name = "first";
+    first.shaded = Window{0.2, 0.8};
+    first.x.logarithmic = first.y.logarithmic = true;
+    first.series[0].point_labels = std::vector<std::string>(first.series[0].data.x.size(), "label");
+    second.name = "second";
+    const std::vector<Figure> both = {first, second};
+    CHECK(write_svgs(both, together).at(1).svg == write_svgs({&second, 1}, alone).at(0).svg);
 }
 
 TEST_CASE("Predicted over measured values are drawn by their magnitudes, and not where one is zero",
@@ -235,6 +263,7 @@ TEST_CASE("Predicted over measured values are drawn by their magnitudes, and not
     ScatterPoint falling, turning;
     falling.quantity_class = turning.quantity_class = "velocity";
     falling.counted = true;
+    falling.kind = ReferenceKind::experiment;
     falling.expected = -5;
     falling.predicted = -4.5;
     turning.kind = ReferenceKind::stated;

@@ -257,7 +257,7 @@ TEST_CASE("a plane of symmetry halves the particles and keeps the body, asymmetr
     CHECK_THAT(said({"gravity=[1.0,-9.81]"}), Contains("gravity is not symmetric"));
     CHECK_THAT(said({"gravity=[1.0,-9.81]"}), Contains("symmetry.x = \"none\" computes the whole tank"));
     CHECK(said({"gravity=[1.0,-9.81]", "symmetry.x=\"none\""}) == "");
-    CHECK_THAT(said({"symmetry.x=\"left\""}), Contains("expected none"));
+    CHECK_THAT(said({"symmetry.x=\"left\""}), Contains("expected the middle of the tank or \"none\""));
     CHECK_FALSE(scene_with({"symmetry.x=\"none\""}).symmetry);
 }
 
