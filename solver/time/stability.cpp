@@ -32,7 +32,10 @@ double highest_ratio_of_air(const Model& model) {
 
 StabilityBounds::StabilityBounds(const Model& model, Box domain, double margin)
     : reference_densities_{model.water.eos.reference_density, model.air.eos.reference_density},
-      highest_density_ratios_{highest_density_ratio, highest_ratio_of_air(model)},
+      lowest_densities_{lowest_density_ratio * reference_densities_[0],
+                        lowest_density_ratio * reference_densities_[1]},
+      highest_densities_{highest_density_ratio * reference_densities_[0],
+                         highest_ratio_of_air(model) * reference_densities_[1]},
       highest_speeds_{highest_mach_number * model.water.eos.sound_speed,
                       highest_mach_number * model.air.eos.sound_speed},
       tank_{{model.mirror_x ? -std::numeric_limits<double>::infinity() : domain.low.x(), domain.low.y()},

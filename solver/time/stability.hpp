@@ -44,11 +44,12 @@ class StabilityBounds {
     /// the density would hide one that is not.
     bool hold(const FluidState& p, double density_rate, Phase phase) const {
         const auto k = static_cast<std::size_t>(phase);
-        const double ratio = p.density / reference_densities_[k];
-        return density_rate == density_rate && ratio > lowest_density_ratio &&
-               ratio < highest_density_ratios_[k] &&
-               p.vx * p.vx + p.vy * p.vy < highest_speeds_[k] * highest_speeds_[k] && p.x > outer_.low.x() &&
-               p.y > outer_.low.y() && p.x < outer_.high.x() && p.y < outer_.high.y();
+        // no branches: all of them hold for all particles of a sound step
+        const bool state = (density_rate == density_rate) & (p.density > lowest_densities_[k]) &
+                           (p.density < highest_densities_[k]) &
+                           (p.vx * p.vx + p.vy * p.vy < highest_speeds_[k] * highest_speeds_[k]);
+        return state & (p.x > outer_.low.x()) & (p.y > outer_.low.y()) & (p.x < outer_.high.x()) &
+               (p.y < outer_.high.y());
     }
     /// What is wrong with a particle that is not; time and step are left to the caller.
     Instability instability_of(const FluidParticles& fluid, std::size_t particle) const;
@@ -60,7 +61,8 @@ class StabilityBounds {
     const std::array<double, phase_count>& reference_densities() const { return reference_densities_; }
 
   private:
-    std::array<double, phase_count> reference_densities_, highest_density_ratios_, highest_speeds_;
+    std::array<double, phase_count> reference_densities_, lowest_densities_, highest_densities_,
+        highest_speeds_;
     Box tank_, outer_;
 };
 

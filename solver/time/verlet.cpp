@@ -88,23 +88,26 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
         if (sweep.leaves_out(cluster)) return;
         const auto phase = static_cast<std::size_t>(cluster.phase);
         const double half = 0.5 * substep.dt;
-        const double *const ax = fluid.acceleration_x.data(), *const ay = fluid.acceleration_y.data();
+        const StabilityBounds own_bounds = bounds;
+        const double *const ax = fluid.acceleration_x.data(), *const ay = fluid.acceleration_y.data(),
+                            *const rate = fluid.density_rate.data();
         FluidState* const state = fluid.state.data();
         double fastest2 = 0, densest = 0;
-        std::size_t first_bad = Met::nobody;
-        for (std::size_t i = cluster.first + cluster.count; i-- > cluster.first;) {
+        const std::size_t end = cluster.first + cluster.count;
+        bool sound = true;
+        for (std::size_t i = cluster.first; i < end; ++i) {
             FluidState& p = state[i];
             p.vx += half * ax[i];
             p.vy += half * ay[i];
             fastest2 = std::max(fastest2, p.vx * p.vx + p.vy * p.vy);
             densest = std::max(densest, p.density);
-            if (!bounds.hold(p, fluid.density_rate[i], cluster.phase)) first_bad = i;
+            sound &= own_bounds.hold(p, rate[i], cluster.phase);
         }
-        Met own;
-        own.fastest2[phase] = fastest2;
-        own.densest[phase] = densest;
-        own.first_bad = first_bad;
-        met[static_cast<std::size_t>(thread)].join(own);
+        Met& own = met[static_cast<std::size_t>(thread)];
+        own.fastest2[phase] = std::max(own.fastest2[phase], fastest2);
+        own.densest[phase] = std::max(own.densest[phase], densest);
+        for (std::size_t i = end; !sound && i-- > cluster.first;)
+            if (!bounds.hold(state[i], rate[i], cluster.phase)) own.first_bad = std::min(own.first_bad, i);
     });
     Met all;
     for (const Met& of_thread : met) all.join(of_thread);
