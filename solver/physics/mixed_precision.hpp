@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "solver/core/execution.hpp"
 #include "solver/physics/model.hpp"
 
 namespace wetdeck {
@@ -15,6 +16,11 @@ inline std::string without_mixed_pairs(const Model& model) {
     if (model.pressure_mean == Mean::harmonic) return "pressure_mean = \"harmonic\"";
     if (model.impedance_mean == ImpedanceMean::harmonic) return "impedance_mean = \"harmonic\"";
     return model.dissipation_switch ? "dissipation_switch = true" : "";
+}
+
+/// Mixed where the model has such pairs.
+inline Precision default_precision(const Model& model) {
+    return without_mixed_pairs(model).empty() ? Precision::mixed : Precision::double_precision;
 }
 
 }  // namespace wetdeck

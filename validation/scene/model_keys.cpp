@@ -159,6 +159,7 @@ ModelKey precision_row() {
                  "precision and positions as 32-bit fixed point",
                  "", ""};
     row.names = names;
+    row.default_note = "mixed; double with harmonic means or the dissipation switch";
     row.get = [names](const Scene& s) -> KeyValue {
         return names.at(static_cast<std::size_t>(s.execution.precision));
     };

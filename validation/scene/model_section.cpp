@@ -81,6 +81,7 @@ void read_model(const TomlTable& root, Scene& scene) {
     set_defaults(scene);
     read_model_keys(model, "model", scene);
     model.finish();
+    scene.execution.precision = default_precision(m);
     if (const std::optional<TomlTable> execution = root.optional_table("execution")) {
         read_model_keys(*execution, "execution", scene);
         if (const std::string choice = without_mixed_pairs(m);

@@ -273,7 +273,7 @@ std::string choice_of(const std::string& key) {
         {"model.smoothing_ratio", "1.5; smaller is faster and noisier"},
         {"model.sponge_thickness", "a beam or more, where the tank cannot be large enough for the sound"},
         {"execution.skin", "by its cost alone; results differ by rounding"},
-        {"execution.precision", "mixed for speed (docs/performance.md); results differ by rounding"}};
+        {"execution.precision", "double for comparisons to the last digit; results differ by rounding"}};
     const auto found = rules.find(key);
     return found == rules.end() ? "" : found->second;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/physics/mixed_precision.hpp"
 #include "validation/run/assemble.hpp"
 #include "validation/run/penetration_monitor.hpp"
 #include "validation/scene/schemes.hpp"
@@ -19,6 +20,7 @@ Trial assembled(Scene scene, double particle_spacing, double end, const Scheme& 
                 const Change& change) {
     apply_scheme(scheme, scene.model);
     if (change) change(scene.model);
+    scene.execution.precision = default_precision(scene.model);
     return Trial{assemble(scene, particle_spacing, 1), end, penetration_monitor(scene)};
 }
 

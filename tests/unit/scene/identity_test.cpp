@@ -50,7 +50,7 @@ TEST_CASE("everything that decides the results changes the identity of a run", "
     std::set<std::string> seen = {identity(small_scene)};
     for (const std::string assignment :
          {"run.end_time=0.1", "run.sample_interval=0.003", "run.frames=[0.07]", "model.dissipation_slope=9",
-          "model.wall_slip=no", "model.air_substeps=5", "execution.skin=0.3", "execution.precision=mixed",
+          "model.wall_slip=no", "model.air_substeps=5", "execution.skin=0.3", "execution.precision=double",
           "water.sound_speed=15", "air.viscosity=2e-5", "gravity=[0.0, -9.8]", "initial.surface=0.21",
           "scheme=without-dissipation"}) {
         INFO(assignment);
@@ -63,7 +63,7 @@ TEST_CASE("a default that is written out is the same set-up; another default wou
           "[identity]") {
     const std::string before = identity(small_scene);
     CHECK(identity(small_scene, {"model.dissipation_slope=10"}) == before);
-    CHECK(identity(small_scene, {"execution.precision=double"}) == before);
+    CHECK(identity(small_scene, {"execution.precision=mixed"}) == before);
     const nlohmann::json parameters = parameters_json(read(small_scene));
     for (const ModelKey& row : model_keys()) {
         INFO(row.dotted());
@@ -131,4 +131,15 @@ TEST_CASE("a scheme lies under the variant that names it; the variant and --set 
             Catch::Contains("key 'variants.single-phase.scheme': is 'kraken', expected one of "));
     const std::string own = small_scene + "\n[schemes.mine]\nmodel.dissipation_slope = 4.0\n";
     CHECK(read(own, {"scheme=mine"}).model.dissipation_slope == 4);
+}
+
+TEST_CASE("A scene computes in mixed precision where its model has it", "[scene][mixed]") {
+    const auto precision = [](const std::vector<std::string>& overrides) {
+        return read(small_scene, overrides).execution.precision;
+    };
+    CHECK(precision({}) == Precision::mixed);
+    CHECK(precision({"execution.precision=double"}) == Precision::double_precision);
+    CHECK(precision({"execution.skin=0.3"}) == Precision::mixed);
+    CHECK(precision({"model.velocity_mean=harmonic"}) == Precision::double_precision);
+    CHECK(precision({"model.dissipation_switch=true"}) == Precision::double_precision);
 }
