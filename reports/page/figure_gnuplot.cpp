@@ -10,7 +10,6 @@
 #include "reports/page/figure.hpp"
 #include "reports/page/html.hpp"
 #include "reports/page/strings.hpp"
-#include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
 #include "validation/store/child_process.hpp"
 #include "validation/store/whole_file.hpp"

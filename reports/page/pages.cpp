@@ -8,7 +8,6 @@
 #include "reports/page/html.hpp"
 #include "reports/page/page.hpp"
 #include "reports/page/page_assets.hpp"
-#include "solver/core/errors.hpp"
 #include "validation/store/atomic_write.hpp"
 
 namespace wetdeck::report {

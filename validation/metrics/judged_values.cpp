@@ -88,4 +88,16 @@ std::vector<JudgedValue> judged_values(const AnalysisSpec& scene, const RunSumma
     return values;
 }
 
+std::map<std::string, SoundRuns> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
+    std::map<std::string, SoundRuns> variants;
+    for (const RunSummary& run : runs)
+        if (applies(scene, run.record) && counts(run)) variants[run.record.variant].push_back(&run);
+    for (auto& entry : variants) {
+        std::sort(entry.second.begin(), entry.second.end(), [](const auto* a, const auto* b) {
+            return a->record.particle_spacing > b->record.particle_spacing;
+        });
+    }
+    return variants;
+}
+
 }  // namespace wetdeck

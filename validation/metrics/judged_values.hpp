@@ -3,6 +3,7 @@
 // compared with a reference (judged_feature).
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,5 +26,11 @@ struct JudgedValue {
 /// the reference and, of a mean, that along the abscissa: moved by dx, the mean over a window changes by
 /// dx (y(end) - y(begin))/(end - begin); a peak keeps its height.
 std::vector<JudgedValue> judged_values(const AnalysisSpec& scene, const RunSummary& run);
+
+/// Runs of one variant that count, coarse to fine.
+using SoundRuns = std::vector<const RunSummary*>;
+
+/// Those of the variants to which `scene` applies, by variant.
+std::map<std::string, SoundRuns> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs);
 
 }  // namespace wetdeck

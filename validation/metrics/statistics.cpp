@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "validation/metrics/curve_metrics.hpp"
+#include "validation/metrics/judged_values.hpp"
 
 namespace wetdeck {
 namespace {
@@ -29,26 +30,6 @@ const std::map<std::string, std::string>& classes_by_unit() {
 const Series* series_of(const RunSummary& run, const std::string& name) {
     const auto found = run.record.series.find(name);
     return found == run.record.series.end() ? nullptr : &found->second;
-}
-
-/// The finest sound run of each variant, that of the default variant first.
-std::vector<const RunSummary*> representative_runs(const AnalysisSpec& scene,
-                                                   const std::vector<RunSummary>& runs) {
-    std::vector<const RunSummary*> finest;
-    for (const RunSummary& run : runs) {
-        if (!applies(scene, run.record) || !counts(run)) continue;
-        const auto known = std::find_if(finest.begin(), finest.end(), [&](const RunSummary* other) {
-            return other->record.variant == run.record.variant;
-        });
-        if (known == finest.end())
-            finest.push_back(&run);
-        else if (run.record.particle_spacing < (*known)->record.particle_spacing)
-            *known = &run;
-    }
-    std::stable_partition(finest.begin(), finest.end(), [&](const RunSummary* run) {
-        return run->record.variant == scene.default_variant;
-    });
-    return finest;
 }
 
 bool exact(const ScatterPoint& point) {
@@ -102,8 +83,6 @@ std::optional<ScatterPoint> quantity_point(const QuantitySpec& spec, const RunSu
     point.kind = spec.expected_kind;
     if (spec.expected_uncertainty && spec.assumed_reason.empty() && *spec.expected != 0)
         point.u_data = *spec.expected_uncertainty / std::abs(*spec.expected);
-    else if (exact(point))
-        point.u_data = 0;
     return point;
 }
 
@@ -123,8 +102,6 @@ std::optional<ScatterPoint> curve_point(const ComparisonSpec& spec, const RunSum
     point.kind = c.kind;
     if (c.reference_uncertainty && *expected != 0)
         point.u_data = c.reference_uncertainty->of(*expected) / std::abs(*expected);
-    else if (exact(point))
-        point.u_data = 0;
     return point;
 }
 
@@ -165,7 +142,10 @@ std::vector<ScatterPoint> points_of(const AnalysisSpec& scene, const RunSummary&
         }
         points.push_back(std::move(*point));
     }
-    for (ScatterPoint& point : points) point.counted = point.dropped.empty();
+    for (ScatterPoint& point : points) {
+        point.counted = point.dropped.empty();
+        if (exact(point) && !point.u_data) point.u_data = 0;
+    }
     return points;
 }
 
@@ -233,11 +213,15 @@ std::string statistics_class(const std::string& quantity_class) {
 
 std::vector<ScatterPoint> scatter_points(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
     std::vector<ScatterPoint> points;
-    for (const RunSummary* run : representative_runs(scene, runs)) {
-        const bool all = run->record.variant == scene.default_variant;
-        for (ScatterPoint& point : points_of(scene, *run))
+    const auto add = [&](const RunSummary& finest, bool all) {
+        for (ScatterPoint& point : points_of(scene, finest))
             if (all || exact(point)) points.push_back(std::move(point));
-    }
+    };
+    const std::map<std::string, SoundRuns> variants = sound_runs(scene, runs);
+    if (const auto main = variants.find(scene.default_variant); main != variants.end())
+        add(*main->second.back(), true);
+    for (const auto& [variant, of_variant] : variants)
+        if (variant != scene.default_variant) add(*of_variant.back(), false);
     return points;
 }
 

@@ -100,23 +100,8 @@ bool assumes_inputs(const AnalysisSpec& scene) {
                        [](const SensitivitySpec& spec) { return spec.assumed; });
 }
 
-using Sound = std::vector<const RunSummary*>;  // by spacing, coarse to fine
-
-std::map<std::string, Sound> sound_runs(const AnalysisSpec& scene, const std::vector<RunSummary>& runs) {
-    std::map<std::string, Sound> variants;
-    for (const RunSummary& run : runs) {
-        if (applies(scene, run.record) && counts(run)) variants[run.record.variant].push_back(&run);
-    }
-    for (auto& entry : variants) {
-        std::sort(entry.second.begin(), entry.second.end(), [](const auto* a, const auto* b) {
-            return a->record.particle_spacing > b->record.particle_spacing;
-        });
-    }
-    return variants;
-}
-
 /// The values of all spacings, by name.
-std::map<std::string, BySpacing> values_of(const AnalysisSpec& scene, const Sound& runs) {
+std::map<std::string, BySpacing> values_of(const AnalysisSpec& scene, const SoundRuns& runs) {
     std::map<std::string, BySpacing> values;
     for (const RunSummary* run : runs)
         for (const JudgedValue& value : judged_values(scene, *run))
