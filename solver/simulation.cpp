@@ -112,12 +112,8 @@ std::optional<Instability> Simulation::step(double longest) {
     const double begin = flow_.time, whole = std::min(longest, time_step_.size);
     if (model().dissipation_switch)
         rates_.mark_impacts(flow_, std::max(extremes_.fastest[0], extremes_.fastest[1]));
-    std::optional<Instability> instability;
-    Substep substep{whole / substeps(), 0, substeps()};
-    for (; substep.number < substep.count && !instability; ++substep.number) {
-        instability = advance(flow_, rates_, substep, bounds_, extremes_);
-        particle_steps_ += substep.last() ? flow_.fluid.size() : rates_.summed_in_each_step();
-    }
+    std::optional<Instability> instability =
+        advance(flow_, rates_, whole, substeps(), bounds_, extremes_, particle_steps_);
     if (instability) {
         rates_.bring_up(flow_);
         instability->time = flow_.time;

@@ -161,6 +161,10 @@ Simulation::State Simulation::state() const {
     state.numbers["particle_steps"] = static_cast<double>(particle_steps_);
     state.numbers["list_builds"] = static_cast<double>(rates_.list_builds());
     state.numbers["list_slack"] = rates_.list().slack();
+    state.numbers["list_skin"] = rates_.skin_choice().skin;
+    state.numbers["list_served"] = rates_.skin_choice().served;
+    state.numbers["lists_steps"] = rates_.skin_choice().steps;
+    state.numbers["lists_skins"] = rates_.skin_choice().sum;
     state.numbers["time_step"] = time_step_.size;
     state.numbers["criterion"] = static_cast<double>(time_step_.criterion);
     for (std::size_t k = 0; k < limits_.size(); ++k)
@@ -188,7 +192,11 @@ void Simulation::restore(const State& state) {
     check_ids(in.array("id", size), "particle");
     if (!std::all_of(listed_at.begin(), listed_at.end(), [](double x) { return std::isfinite(x); }))
         throw DataError("the state has particles at no position");
+    const SkinChoice skin{in.number("list_skin"), in.number("list_served"), in.number("lists_steps"),
+                          in.number("lists_skins")};
     const double slack = in.number("list_slack");
+    if (!skin.is_sound()) throw DataError("the state has a skin of its neighbour list that is never chosen");
+    rates_.restore_skin(skin, flow_.walls);
     if (!(slack >= 0 && slack <= rates_.list().skin()))
         throw DataError("the state has a neighbour list that is not in use");
 

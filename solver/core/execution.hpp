@@ -16,7 +16,7 @@ enum class Precision { double_precision, mixed };
 struct Execution {
     int threads = 0;              ///< at most; 0: as many as OpenMP offers
     bool fewer_when_busy = true;  ///< whether threads are left out that others keep waiting (core/team.hpp)
-    double skin = 0.2;            ///< of the neighbour list, in smoothing lengths
+    double skin = 0;              ///< of the neighbour list, in smoothing lengths; 0: chosen as the run goes
     std::string instruction_set = {};  ///< "sse2", "avx2" or "avx512"; empty: the best of this processor
     Precision precision = Precision::double_precision;  ///< of the sums over pairs
 };

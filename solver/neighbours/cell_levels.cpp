@@ -10,13 +10,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Number of the level of a particle: each holds finenesses from a power of two on.
-std::size_t level_number(double fineness) {
-    int exponent;
-    std::frexp(fineness, &exponent);
-    return static_cast<std::size_t>(std::max(-exponent, 0));
-}
-
 void append(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, const Cluster& kind) {
     for (std::size_t first = begin; first < end; first += cluster_width) {
         Cluster cluster = kind;
@@ -27,14 +20,6 @@ void append(std::vector<Cluster>& clusters, std::size_t begin, std::size_t end, 
 }
 
 }  // namespace
-
-CellGrid::Cell CellGrid::cell_of(Vec2 place) const {
-    const auto clamped = [](double offset, double width, std::uint32_t count) {
-        return static_cast<std::uint32_t>(std::clamp(offset / width, 0.0, static_cast<double>(count - 1)));
-    };
-    return {clamped(place.x() - origin.x(), cell_width, strips),
-            clamped(place.y() - origin.y(), cell_height, rows)};
-}
 
 CellGrid grid_over(Box box, double particle_spacing) {
     CellGrid grid{box.low, 3.2 * particle_spacing, particle_spacing, 0, 0};
@@ -56,13 +41,10 @@ CellLevels::CellLevels(const CellGrid& over_domain, double coarsest) : finest_(o
     }
 }
 
-std::size_t CellLevels::level_of(double fineness) const {
-    return levels_.size() == 1 ? 0 : std::min(level_number(fineness), levels_.size() - 1);
-}
-
-std::uint32_t CellLevels::cell_of(Vec2 place, double fineness) const {
-    const Level& level = levels_[level_of(fineness)];
-    return level.number(level.grid.cell_of(place));
+std::size_t CellLevels::level_number(double fineness) {
+    int exponent;
+    std::frexp(fineness, &exponent);
+    return static_cast<std::size_t>(std::max(-exponent, 0));
 }
 
 void CellLevels::fit_to(const std::vector<Box>& extents) {

@@ -5,6 +5,7 @@
 // one before and no larger than where its particles are.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,7 +24,14 @@ struct CellGrid {
         std::uint32_t strip, row;
     };
     /// The cell that holds a place, or is nearest to it.
-    Cell cell_of(Vec2 place) const;
+    Cell cell_of(Vec2 place) const {
+        const auto clamped = [](double offset, double width, std::uint32_t count) {
+            return static_cast<std::uint32_t>(
+                std::clamp(offset / width, 0.0, static_cast<double>(count - 1)));
+        };
+        return {clamped(place.x() - origin.x(), cell_width, strips),
+                clamped(place.y() - origin.y(), cell_height, rows)};
+    }
 };
 
 /// A grid over a box that is 3.2 spacings wide and one high a cell.
@@ -46,7 +54,10 @@ class CellLevels {
         fit_to(extents);
     }
     /// Number of the cell of a particle; fineness is not read where there is one level.
-    std::uint32_t cell_of(Vec2 place, double fineness) const;
+    std::uint32_t cell_of(Vec2 place, double fineness) const {
+        const Level& level = levels_[level_of(fineness)];
+        return level.number(level.grid.cell_of(place));
+    }
     /// Number of cells.
     std::size_t count() const { return levels_.back().end_cell(); }
 
@@ -93,7 +104,11 @@ class CellLevels {
             return (highest - extent.low).minCoeff() < 0 || (extent.high - lowest).minCoeff() < 0;
         }
     };
-    std::size_t level_of(double fineness) const;
+    std::size_t level_of(double fineness) const {
+        return levels_.size() == 1 ? 0 : std::min(level_number(fineness), levels_.size() - 1);
+    }
+    /// Each level holds finenesses from a power of two on.
+    static std::size_t level_number(double fineness);
     void fit_to(const std::vector<Box>& extents);
 
     double finest_;              ///< spacing [m]

@@ -84,7 +84,7 @@ struct Candidates {
 };
 
 /// Writes to `out` which of the candidates are within reach of any of the points, and returns how many. It
-/// may write one entry beyond them.
+/// may write a cluster's width of entries beyond them.
 using NearFilter = std::uint32_t (*)(const ClusterPoints& points, const Candidates& candidates,
                                      const ListReach& reach, std::uint32_t* out);
 

@@ -28,6 +28,10 @@ class DomainImages {
     /// narrower: a particle would need several at one end.
     DomainImages(DomainEnds ends, Box domain, double depth);
 
+    /// The same depth anew, and the largest that the domain has room for [m].
+    void set_depth(double depth) { depth_ = depth; }
+    double largest_depth() const { return high_ - low_; }
+
     /// Takes particles that have left at one end in at the other, or back from behind the plane.
     void wrap(FluidParticles& fluid) const;
 

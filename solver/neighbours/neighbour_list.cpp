@@ -38,9 +38,9 @@ ClusterPoints points_of(const State* state, const Cluster& cluster, Fineness fin
 }
 
 Box bounds(const ClusterPoints& points) {
-    const auto [left, right] = std::minmax_element(std::begin(points.x), std::end(points.x));
-    const auto [low, high] = std::minmax_element(std::begin(points.y), std::end(points.y));
-    return {{*left, *low}, {*right, *high}};
+    Box box = empty_box();
+    for (std::uint32_t lane = 0; lane < cluster_width; ++lane) extend(box, {points.x[lane], points.y[lane]});
+    return box;
 }
 
 Box widened(Box box, double margin) {
@@ -54,8 +54,9 @@ NeighbourList::NeighbourList(Box domain, double particle_spacing, double support
                              double slow_fineness)
     : grid_(grid_over(widened(domain, coarsest * support_radius + skin), particle_spacing)),
       reach_{support_radius, skin},
+      coarsest_(coarsest),
       graded_(coarsest > 1),
-      motion_(grid_, reach_.of(1 / coarsest), skin),
+      motion_(grid_, farthest_reach(), skin),
       with_walls_own_lists_(with_walls_own_lists),
       slow_fineness_(slow_fineness),
       fluid_cells_(grid_, coarsest),
@@ -63,12 +64,24 @@ NeighbourList::NeighbourList(Box domain, double particle_spacing, double support
       fixed_cells_(grid_, coarsest),
       body_cells_(grid_, coarsest) {
     // walls run on beyond the ends by a support, and see the fluid around themselves
-    if (ends != DomainEnds::walls) images_.emplace(ends, domain, 2 * reach_.of(1 / coarsest));
+    if (ends != DomainEnds::walls) images_.emplace(ends, domain, 2 * farthest_reach());
 }
 
 void NeighbourList::sort_fixed_walls(WallParticles& walls) {
     sort_walls(walls, 0, walls.fixed, fixed_cells_);
+    rest_at(walls);
+}
+
+void NeighbourList::rest_at(const WallParticles& walls) {
     for (std::size_t n = 0; n < walls.fixed; ++n) motion_.keep_at_rest({walls.state[n].x, walls.state[n].y});
+}
+
+void NeighbourList::set_skin(double skin, const WallParticles& walls) {
+    const double room = images_ ? images_->largest_depth() / 2 - reach_.support * coarsest_ : skin;
+    reach_.skin = std::min(skin, room);
+    if (images_) images_->set_depth(2 * farthest_reach());
+    motion_ = RelativeMotion(grid_, farthest_reach(), reach_.skin);
+    rest_at(walls);
 }
 
 void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells) {
@@ -286,8 +299,7 @@ void NeighbourList::list_block(const Search& search, std::size_t block) {
             const std::size_t before = used;
             places.cells.for_each_run(
                 box, half_fineness, reach_, group, [&](std::uint32_t begin, std::uint32_t end) {
-                    // one entry of slack: the filter writes each candidate before it knows whether to keep it
-                    const std::size_t most = used + (end - begin) + 1;
+                    const std::size_t most = used + (end - begin) + cluster_width;
                     if (list.size() < most) {
                         list.reserve(most + most / 8);  // by itself it would double
                         list.resize(list.capacity());

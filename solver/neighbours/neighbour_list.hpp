@@ -47,6 +47,8 @@ class NeighbourList {
     bool still_complete(double farthest, const FluidParticles& fluid, const WallParticles& walls,
                         int threads);
     double skin() const { return reach_.skin; }  ///< [m]
+    /// Changes the skin from the next build on; a domain with images takes one as thick as it has room for.
+    void set_skin(double skin, const WallParticles& walls);
     /// By how much any two particles may still come closer: the skin after a build [m].
     double slack() const { return slack_; }
     /// For a list that was built again as it was at a checkpoint.
@@ -99,6 +101,10 @@ class NeighbourList {
     void sort_fluid(FluidParticles& fluid, int threads);
     void reorder(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);
+    /// Tells where the walls of the tank are, which do not move.
+    void rest_at(const WallParticles& walls);
+    /// Reach of the coarsest [m].
+    double farthest_reach() const { return reach_.of(1 / coarsest_); }
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells);
     void collect_moves(const FluidParticles& fluid, const WallParticles& walls, int threads);
     void list_neighbours(const FluidParticles& fluid, const WallParticles& walls, NearFilter near,
@@ -110,6 +116,7 @@ class NeighbourList {
     CellGrid grid_;  ///< over the domain, of the finest
     ListReach reach_;
     double slack_ = 0;
+    double coarsest_;
     bool graded_;
     RelativeMotion motion_;
     bool with_walls_own_lists_;

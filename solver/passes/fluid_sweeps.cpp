@@ -17,15 +17,16 @@ ClusterSweep Rates::sweep(double drift, bool all) {
 void Rates::bring_up(Flow& flow) {
     if (left_out_ == 0) return;
     MixedFluid* const mixed = mixed_fluid();
-    for (const Cluster& cluster : list_.clusters()) {
-        if (!cluster.rests) continue;
+    const double drift = left_out_;
+    clusters().for_each([&](const Cluster& cluster, int) {
+        if (!cluster.rests) return;
         for (std::size_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
             FluidState& p = flow.fluid.state[i];
-            p.x += left_out_ * p.vx;
-            p.y += left_out_ * p.vy;
+            p.x += drift * p.vx;
+            p.y += drift * p.vy;
             if (mixed) copy_motion(p, mixed->fixed_point(), mixed->data()[i]);
         }
-    }
+    });
     left_out_ = 0;
 }
 

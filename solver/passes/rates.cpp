@@ -54,8 +54,10 @@ Rates::Rates(const RatesSetup& setup, Flow& flow)
       passes_(pair_passes(setup.model, setup.execution.instruction_set, setup.execution.precision,
                           setup.graded())),
       constants_(constants_of(setup, flow.walls.fixed)),
-      list_(list_for(setup, setup.execution.skin * constants_.kernel.smoothing_length,
-                     needs_wall_means(setup.model) || !flow.bodies.empty())),
+      list_(list_for(
+          setup,
+          (chooses_skin() ? skin_choice_.skin : setup.execution.skin) * constants_.kernel.smoothing_length,
+          needs_wall_means(setup.model) || !flow.bodies.empty())),
       team_(setup.execution.threads, setup.execution.fewer_when_busy),
       met_(static_cast<std::size_t>(setup.execution.threads)),
       next_(static_cast<std::size_t>(setup.execution.threads)),
@@ -121,7 +123,20 @@ void Rates::build_list(Flow& flow) {
 void Rates::refresh_list(Flow& flow, double farthest) {
     const StageTimer timer(stages_.neighbours);
     if (list_.slack() < 2 * farthest) bring_up(flow);  // the list looks where everything is
-    if (!list_.still_complete(farthest, flow.fluid, flow.walls, team_.size())) build_list(flow);
+    ++skin_choice_.served;
+    if (list_.still_complete(farthest, flow.fluid, flow.walls, team_.size())) return;
+    skin_choice_.end_of_list();
+    apply_skin(flow.walls);
+    build_list(flow);
+}
+
+void Rates::apply_skin(const WallParticles& walls) {
+    if (chooses_skin()) list_.set_skin(skin_choice_.skin * constants_.kernel.smoothing_length, walls);
+}
+
+void Rates::restore_skin(const SkinChoice& choice, const WallParticles& walls) {
+    skin_choice_ = choice;
+    apply_skin(walls);
 }
 
 bool Rates::means_in_density(double substep_weight) const {

@@ -18,6 +18,7 @@
 #include "solver/core/stage_timer.hpp"
 #include "solver/core/team.hpp"
 #include "solver/neighbours/neighbour_list.hpp"
+#include "solver/neighbours/skin_choice.hpp"
 #include "solver/passes/pair_passes.hpp"
 
 namespace wetdeck {
@@ -125,6 +126,10 @@ class Rates {
     std::size_t bytes() const { return list_.bytes() + (mixed_ ? mixed_->bytes() : 0); }
     std::uint64_t list_builds() const { return list_builds_; }
     void set_list_builds(std::uint64_t count) { list_builds_ = count; }
+    /// The skin of the list, where it is chosen.
+    const SkinChoice& skin_choice() const { return skin_choice_; }
+    /// For a list that is built again as it was at a checkpoint: call it before the build.
+    void restore_skin(const SkinChoice& choice, const WallParticles& walls);
     /// The bodies as they were when the list was built.
     const std::vector<RigidBody>& listed_bodies() const { return listed_bodies_; }
     /// Particles that the steps of the fast fluid alone sum up: its own, and slow ones near it.
@@ -140,6 +145,8 @@ class Rates {
     void copy_mixed_fluid(const Flow& flow, const NeighbourList& list) const;
     double momentum_error(PassInput in, const Flow& flow) const;
     FrameForces frame_forces(const Flow& flow) const;
+    bool chooses_skin() const { return setup_.execution.skin == 0; }
+    void apply_skin(const WallParticles& walls);
     SharedClusters shared(const NeighbourList& list, const std::vector<std::size_t>& shares) const;
     /// Whether sweeps may leave clusters out: not where Shepard means of the air read the water.
     bool lets_rest() const { return setup_.model.wall_pressure != WallPressure::shepard; }
@@ -151,6 +158,7 @@ class Rates {
     RatesSetup setup_;
     PairPasses passes_;
     PassInput constants_;  ///< what stays the same over the run
+    SkinChoice skin_choice_;
     NeighbourList list_;
     mutable std::optional<MixedFluid> mixed_;  ///< in mixed precision
     mutable bool mixed_is_current_ = false;    ///< whether it holds the fluid as it is now

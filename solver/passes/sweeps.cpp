@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sweeps over particles by themselves: density, pressure and drift at the end of a step; the filter of the
 // neighbour list.
+#include <limits>
+
 #include "solver/passes/isa_passes.hpp"
 #include "solver/passes/simd/mixed_lanes.hpp"
 
@@ -50,6 +52,40 @@ void update_cluster(FluidState* state, const DensityUpdate& u, const Cluster& cl
     store_columns(p, state, cluster);
 }
 
+/// Eight candidates.
+struct EightCandidates {
+    Pack x, y, fineness;
+};
+
+/// The candidates from this one on; those beyond the end are infinitely far away.
+template <bool graded>
+WETDECK_INLINE EightCandidates candidates_from(const Candidates& all, std::uint32_t first) {
+    EightCandidates eight;
+    const double* const from = all.positions + first * all.stride;
+    const bool whole = first + pack_width <= all.end;
+    if (whole && all.stride == 2) {
+        Pack low, high;
+        std::memcpy(&low.lanes, from, sizeof low.lanes);
+        std::memcpy(&high.lanes, from + pack_width, sizeof high.lanes);
+        eight.x = __builtin_shufflevector(low.lanes, high.lanes, 0, 2, 4, 6, 8, 10, 12, 14);
+        eight.y = __builtin_shufflevector(low.lanes, high.lanes, 1, 3, 5, 7, 9, 11, 13, 15);
+    } else {
+        const std::uint32_t count = whole ? pack_width : all.end - first;
+        eight.x = eight.y = std::numeric_limits<double>::infinity();
+        for (std::uint32_t n = 0; n < count; ++n) {
+            eight.x.lanes[n] = from[n * all.stride];
+            eight.y.lanes[n] = from[n * all.stride + 1];
+        }
+    }
+    if constexpr (graded) {
+        eight.fineness = 1.0;
+        const std::uint32_t count = whole ? pack_width : all.end - first;
+        for (std::uint32_t n = 0; n < count; ++n)
+            eight.fineness.lanes[n] = all.fineness[(first + n) * all.fineness_stride];
+    }
+    return eight;
+}
+
 }  // namespace
 
 void update_density(FluidState* state, const DensityUpdate& update) {
@@ -68,28 +104,27 @@ void update_density(FluidState* state, const DensityUpdate& update) {
 template <bool graded>
 std::uint32_t filter_near(const ClusterPoints& points, const Candidates& candidates, const ListReach& reach,
                           std::uint32_t* out) {
-    Pack px, py;
-    std::memcpy(&px.lanes, points.x, sizeof px.lanes);
-    std::memcpy(&py.lanes, points.y, sizeof py.lanes);
-    Pack half_fineness;
-    std::memcpy(&half_fineness.lanes, points.half_fineness, sizeof half_fineness.lanes);
-    Pack farthest = reach.of(1.0);
-    const ListReach limits = reach;
-    const double* position = candidates.positions + candidates.begin * candidates.stride;
-    const double* fineness = candidates.fineness + candidates.begin * candidates.fineness_stride;
     // locals: `out` might write to the numbers of the candidates
-    const std::size_t stride = candidates.stride, fineness_stride = candidates.fineness_stride;
-    const std::uint32_t end = candidates.end;
+    const Candidates all = candidates;
+    const ListReach limits = reach;
+    const Pack farthest2 = limits.of(1.0) * limits.of(1.0);
     std::uint32_t found = 0;
-    for (std::uint32_t candidate = candidates.begin; candidate < end; ++candidate, position += stride) {
-        const Pack x = px - position[0];
-        const Pack y = py - position[1];
-        if constexpr (graded) {
-            farthest = limits.of(half_fineness + 0.5 * *fineness);
-            fineness += fineness_stride;
+    for (std::uint32_t first = all.begin; first < all.end; first += pack_width) {
+        const EightCandidates at = candidates_from<graded>(all, first);
+        Pack::Mask near{};
+        Pack nearest2 = std::numeric_limits<double>::infinity();
+        for (int lane = 0; lane < pack_width; ++lane) {
+            const Pack x = points.x[lane] - at.x, y = points.y[lane] - at.y;
+            const Pack distance2 = x * x + y * y;
+            if constexpr (graded) {
+                const Pack farthest = limits.of(points.half_fineness[lane] + 0.5 * at.fineness);
+                near = near | (distance2 < farthest * farthest);
+            } else {
+                nearest2 = minimum(nearest2, distance2);
+            }
         }
-        out[found] = candidate;
-        found += any_less(x * x + y * y, farthest * farthest) ? 1 : 0;
+        if constexpr (!graded) near = nearest2 < farthest2;
+        found += write_marked(near, first, out + found);
     }
     return found;
 }

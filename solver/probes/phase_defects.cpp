@@ -27,14 +27,16 @@ class Cells {
 
     /// Marks the cells whose centres are within the distance of the point.
     void mark_around(double x, double y, double distance) {
-        const auto [first_row, last_row] = range((y - low_.y()) / size_, distance / size_, rows_);
+        const double middle_x = (x - low_.x()) / size_, middle_y = (y - low_.y()) / size_;
+        const double radius = distance / size_;
+        const auto [first_row, last_row] = range(middle_y, radius, rows_);
         for (long row = first_row; row <= last_row; ++row) {
-            const double up = centre(0, row).y() - y;
-            const double half = std::sqrt(std::max(0.0, distance * distance - up * up));
-            const auto [first, last] = range((x - low_.x()) / size_, half / size_, columns_);
+            const double up = static_cast<double>(row) + 0.5 - middle_y;
+            const auto [first, last] =
+                range(middle_x, std::sqrt(std::max(0.0, radius * radius - up * up)), columns_);
             if (first > last) continue;
-            const auto begin = marked_.begin() + row * columns_;
-            std::fill(begin + first, begin + last + 1, true);
+            char* const begin = marked_.data() + row * columns_;
+            std::fill(begin + first, begin + last + 1, char{1});
         }
     }
 
@@ -51,14 +53,16 @@ class Cells {
     }
     /// Cells whose centres are within `half` of `middle`, both in cells.
     static std::pair<long, long> range(double middle, double half, long count) {
-        return {std::max(0L, std::lround(std::ceil(middle - half - 0.5))),
-                std::min(count - 1, std::lround(std::floor(middle + half - 0.5)))};
+        const double low = middle - half - 0.5, high = middle + half - 0.5;
+        const auto whole = static_cast<long>(std::max(low, 0.0));
+        const long first = static_cast<double>(whole) < low ? whole + 1 : whole;
+        return {first, high < 0 ? -1 : std::min(count - 1, static_cast<long>(high))};
     }
 
     Vec2 low_;
     double size_;
     long columns_, rows_;
-    std::vector<bool> marked_;
+    std::vector<char> marked_;
 };
 
 /// Sets of particles that grow together.
@@ -129,6 +133,7 @@ double enclosed_air(const Simulation& simulation) {
         if (cluster.phase != Phase::air) continue;
         for (const std::uint32_t j : fluid_neighbours(list.blocks(), cluster, air)) {
             if (j >= fluid.size()) continue;  // a periodic image
+            if (j < cluster.first) continue;  // has met these
             for (std::uint32_t i = cluster.first; i < cluster.first + cluster.count; ++i) {
                 const Vec2 apart = fluid.state[i].position() - fluid.state[j].position();
                 const double reach = 1.5 * std::max(simulation.spacing_of(fluid.state[i]),

@@ -22,22 +22,15 @@ namespace wetdeck {
 /// The extremes of the present state.
 Extremes extremes_of(const FluidParticles& fluid, const Model& model);
 
-/// One step of the fast fluid among those that make a step of the slow one.
-struct Substep {
-    double dt = 0;   ///< [s]
-    int number = 0;  ///< from 0
-    int count = 1;   ///< m
-
-    bool middle() const { return number == count / 2; }  ///< whether it compresses the slow fluid
-    bool last() const { return number == count - 1; }    ///< whether it ends the step of the slow fluid
-};
-
-/// Advances the flow by one step of the fast fluid. The flow must hold the rates of the last one, or of an
-/// evaluation with the weight `count`.
+/// Advances the flow by one step of the slow fluid. The flow must hold the rates of the last one, or of an
+/// evaluation with the weight `substeps`.
+/// @param substeps  steps of the fast fluid in it, m
 /// @param extremes  set to those at the end of the step
+/// @param particle_steps  grows by the particles whose pairs have been summed
 ///
 /// Returns what has left its range, if anything; its time and step are left to the caller.
-std::optional<Instability> advance(Flow& flow, Rates& rates, const Substep& substep,
-                                   const StabilityBounds& bounds, Extremes& extremes);
+std::optional<Instability> advance(Flow& flow, Rates& rates, double step, int substeps,
+                                   const StabilityBounds& bounds, Extremes& extremes,
+                                   std::uint64_t& particle_steps);
 
 }  // namespace wetdeck

@@ -114,6 +114,13 @@ TEST_CASE("A state that does not fit is refused", "[determinism]") {
     SECTION("with a list that would never be built again") {
         state.numbers["list_slack"] = GENERATE(1e300, -1.0, std::numeric_limits<double>::quiet_NaN());
     }
+    SECTION("with a skin that no run chooses") {
+        state.numbers["list_skin"] = GENERATE(0.0, 1e300, std::numeric_limits<double>::quiet_NaN());
+    }
+    SECTION("with lists that served no number of steps") {
+        state.numbers[GENERATE("list_served", "lists_steps", "lists_skins")] =
+            GENERATE(-1.0, std::numeric_limits<double>::infinity());
+    }
     SECTION("with a count that is none") {
         state.numbers["steps"] = -1;
     }

@@ -143,10 +143,9 @@ ModelKey substeps(const char* key, int Model::*member, const char* meaning) {
 }
 
 ModelKey skin_row() {
-    ModelKey row{"execution", "skin", "skin of the neighbour list over the smoothing length", "-", ""};
-    row.low = 0.05;
+    ModelKey row{"execution", "skin", "skin of the neighbour list over the smoothing length; 0: chosen as the run goes", "-", ""};
     row.high = 1;
-    row.default_note = "0.2 with air, 0.4 without";
+    row.default_note = "0";
     row.get = [](const Scene& s) -> KeyValue { return s.execution.skin; };
     row.set = [](Scene& s, const KeyValue& v) { s.execution.skin = std::get<double>(v); };
     return row;

@@ -28,7 +28,6 @@ void set_defaults(Scene& scene) {
     scene.model.negative_pressure = scene.air;
     scene.model.air_substeps = 0;
     scene.model.coarse_substeps = 0;
-    scene.execution.skin = (scene.air ? 1 : 2) * Execution{}.skin;
 }
 
 /// Choices that contradict each other.

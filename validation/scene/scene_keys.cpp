@@ -272,7 +272,7 @@ std::string choice_of(const std::string& key) {
          "a few per cent of a slam (docs/decisions.md)"},
         {"model.smoothing_ratio", "1.5; smaller is faster and noisier"},
         {"model.sponge_thickness", "a beam or more, where the tank cannot be large enough for the sound"},
-        {"execution.skin", "by its cost alone; results differ by rounding"},
+        {"execution.skin", "leave it: a run chooses the cheapest; results differ by rounding"},
         {"execution.precision", "double for comparisons to the last digit; results differ by rounding"}};
     const auto found = rules.find(key);
     return found == rules.end() ? "" : found->second;

@@ -9,7 +9,9 @@
 #include <immintrin.h>
 #endif
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 
 namespace wetdeck::WETDECK_ISA {
@@ -92,6 +94,14 @@ WETDECK_INLINE void square_roots(Pack x, Pack& root, Pack& inverse_root) {
 WETDECK_INLINE bool any_less(Pack a, Pack b) {
     return _mm512_cmp_pd_mask(__m512d(a.lanes), __m512d(b.lanes), _CMP_LT_OQ) != 0;
 }
+/// Writes first + n for each n that is marked, and returns how many; it may write eight numbers.
+WETDECK_INLINE std::uint32_t write_marked(Pack::Mask mask, std::uint32_t first, std::uint32_t* out) {
+    const __mmask8 bits = _mm512_movepi64_mask(__m512i(mask.lanes));
+    const __m256i numbers = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(first)),
+                                             _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_maskz_compress_epi32(bits, numbers));
+    return static_cast<std::uint32_t>(std::popcount(static_cast<unsigned>(bits)));
+}
 /// rows[k] holds eight numbers; columns[n] receives the n-th of each.
 WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
     for (int n = 0; n < pack_width; ++n) columns[n] = Pack::Lanes(_mm512_load_pd(rows[n]));
@@ -120,6 +130,14 @@ WETDECK_INLINE bool any_less(Pack a, Pack b) {
     long long bits = 0;
     for (int lane = 0; lane < pack_width; ++lane) bits |= less.lanes[lane];
     return bits != 0;
+}
+WETDECK_INLINE std::uint32_t write_marked(Pack::Mask mask, std::uint32_t first, std::uint32_t* out) {
+    std::uint32_t count = 0;
+    for (int lane = 0; lane < pack_width; ++lane) {
+        out[count] = first + static_cast<std::uint32_t>(lane);
+        count += mask.lanes[lane] != 0 ? 1 : 0;
+    }
+    return count;
 }
 WETDECK_INLINE void transpose(const double* const (&rows)[pack_width], Pack (&columns)[pack_width]) {
     for (int n = 0; n < pack_width; ++n)

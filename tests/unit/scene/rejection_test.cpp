@@ -197,7 +197,7 @@ TEST_CASE("numbers outside their range are refused with the value") {
                  EndsWith("key 'model.coarse_substeps': is 4, expected an odd number up to 99, or 0"));
     REQUIRE_THAT(model("coarse_substeps = 5\ndissipation_switch = true"),
                  EndsWith("key 'model.coarse_substeps': is 5, expected 1 with the dissipation switch"));
-    REQUIRE_THAT(model("skin = 2.0"), EndsWith("key 'execution.skin': is 2, expected 0.05 to 1"));
+    REQUIRE_THAT(model("skin = 2.0"), EndsWith("key 'execution.skin': is 2, expected 0 to 1"));
     REQUIRE_THAT(refusal(with_line("[water]", "viscosity = -1.0")),
                  EndsWith("key 'water.viscosity': expected zero or a positive number"));
     REQUIRE_THAT(refusal(with_line("[run]", "frame_interval = 0.0")),

@@ -149,6 +149,27 @@ TEST_CASE("Where particles differ in their smoothing lengths the list holds ever
     CHECK(listed < 4 * within);  // a list that held far pairs, too, would be slow
 }
 
+TEST_CASE("A list with another skin holds every pair within that", "[neighbours]") {
+    Listed listed(spilling_tank(5), 1);
+    const double other = GENERATE(0.2, 0.5, 4.0) * skin;
+    listed.list.set_skin(other, listed.setup.walls);
+    listed.list.build(listed.setup.fluid, listed.setup.walls, pair_passes(listed.setup.model).filter_near, 2);
+    CHECK(listed.list.slack() == other);
+    CHECK(missing(listed, support + other) == 0);
+    CHECK(missing_of_walls(listed, support + other) == 0);
+    CHECK(missing(listed, support + 4 * other) > 0);
+}
+
+TEST_CASE("A periodic domain that has no room for a thick skin takes a thinner one", "[neighbours]") {
+    samples::Setup setup = samples::shaken_tank(samples::two_phase_model(), 1);
+    const double width = setup.domain.high.x() - setup.domain.low.x(), reach = 0.45 * width;
+    NeighbourList list(setup.domain, spacing, reach, 0.01 * width, true, DomainEnds::periodic);
+    list.set_skin(0.03 * width, setup.walls);
+    CHECK(list.skin() == Approx(0.03 * width));
+    list.set_skin(0.2 * width, setup.walls);
+    CHECK(list.skin() == Approx(0.05 * width));
+}
+
 /// Moves all fluid to where `flow` takes it from where the list was built; returns the longest move.
 template <class Flow>
 double move(Listed& listed, const Flow& flow) {

@@ -76,6 +76,7 @@ TEST_CASE("The list is built again when particles have come closer by the skin, 
     samples::Setup setup = disc({0, 0});
     // the halves fly at each other
     for (FluidState& p : setup.fluid.state) p.vx = p.x < 0 ? 10 : -10;
+    setup.execution.skin = 0.2;
     Simulation simulation = setup.simulate();
     const double skin = 0.2 * 0.0625;
     CHECK(simulation.neighbours().slack() == Approx(skin));
