@@ -3,26 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <span>
+
+#include "solver/neighbours/counting_sort.hpp"
 
 namespace wetdeck {
 namespace {
 
 constexpr std::size_t clusters_per_block = 32;
-
-/// Order of `keys` under a stable counting sort; `start` receives the first position of each key and an end
-/// mark.
-void counting_sort(std::span<const std::uint32_t> keys, std::size_t key_count,
-                   std::vector<std::uint32_t>& start, std::vector<std::uint32_t>& order) {
-    start.assign(key_count + 1, 0);
-    for (const std::uint32_t key : keys) ++start[key + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    order.resize(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) order[start[keys[i]]++] = static_cast<std::uint32_t>(i);
-    std::copy_backward(start.begin(), start.end() - 1, start.end());
-    start[0] = 0;
-}
 
 /// @param fineness  of the particle with an index
 template <class State, class Fineness>
@@ -69,11 +56,7 @@ NeighbourList::NeighbourList(Box domain, double particle_spacing, double support
 
 void NeighbourList::sort_fixed_walls(WallParticles& walls) {
     sort_walls(walls, 0, walls.fixed, fixed_cells_);
-    rest_at(walls);
-}
-
-void NeighbourList::rest_at(const WallParticles& walls) {
-    for (std::size_t n = 0; n < walls.fixed; ++n) motion_.keep_at_rest({walls.state[n].x, walls.state[n].y});
+    set_skin(skin(), walls);
 }
 
 void NeighbourList::set_skin(double skin, const WallParticles& walls) {
@@ -81,7 +64,7 @@ void NeighbourList::set_skin(double skin, const WallParticles& walls) {
     reach_.skin = std::min(skin, room);
     if (images_) images_->set_depth(2 * farthest_reach());
     motion_ = RelativeMotion(grid_, farthest_reach(), reach_.skin);
-    rest_at(walls);
+    for (std::size_t n = 0; n < walls.fixed; ++n) motion_.keep_at_rest({walls.state[n].x, walls.state[n].y});
 }
 
 void NeighbourList::sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells) {
@@ -345,10 +328,8 @@ std::size_t NeighbourList::bytes() const {
         (key_.capacity() + order_.capacity() + fluid_cells_.start.capacity() + image_cells_.start.capacity() +
          fixed_cells_.start.capacity() + body_cells_.start.capacity()) *
             sizeof(std::uint32_t);
-    const auto add = [&sum](const auto&, const auto& values) {
-        sum += values.capacity() * sizeof(values[0]);
-    };
-    for_each_field(sorted_walls_, add);
+    for_each_field(sorted_walls_,
+                   [&sum](const auto&, const auto& values) { sum += values.capacity() * sizeof(values[0]); });
     for (const auto& block : blocks_) sum += block.capacity() * sizeof(std::uint32_t);
     return sum;
 }

@@ -101,8 +101,6 @@ class NeighbourList {
     void sort_fluid(FluidParticles& fluid, int threads);
     void reorder(FluidParticles& fluid, int threads);
     void place_images(const FluidParticles& fluid);
-    /// Tells where the walls of the tank are, which do not move.
-    void rest_at(const WallParticles& walls);
     /// Reach of the coarsest [m].
     double farthest_reach() const { return reach_.of(1 / coarsest_); }
     void sort_walls(WallParticles& walls, std::size_t begin, std::size_t end, CellLevels& cells);
