@@ -28,7 +28,7 @@ class DomainImages {
     /// narrower: a particle would need several at one end.
     DomainImages(DomainEnds ends, Box domain, double depth);
 
-    /// The same depth anew, and the largest that the domain has room for [m].
+    /// Changes that depth; the domain has room for the largest [m].
     void set_depth(double depth) { depth_ = depth; }
     double largest_depth() const { return high_ - low_; }
 

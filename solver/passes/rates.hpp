@@ -89,8 +89,6 @@ class Rates {
     /// A sweep in which the fluid drifts for `drift` [s]. Clusters that rest are left out unless `all` are
     /// taken; the next sweep that takes them makes up for it, or a look at the list.
     ClusterSweep sweep(double drift, bool all);
-    /// The same without a drift.
-    ClusterSweep sweep(bool all) const { return {all || !lets_rest(), 0, 0}; }
     /// Moves the clusters that rest to where they are now.
     void bring_up(Flow& flow);
     /// The largest speed of a step of the slow fluid so far: that of this sweep [m/s], or of the first, which

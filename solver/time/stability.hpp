@@ -45,14 +45,15 @@ class StabilityBounds {
     bool hold(const FluidState& p, double density_rate, Phase phase) const {
         const auto k = static_cast<std::size_t>(phase);
         // no branches: all of them hold for all particles of a sound step
-        const auto all = [](auto... conditions) { return (int{conditions} & ...) != 0; };
-        return all(
-            density_rate == density_rate, p.density > lowest_densities_[k],
-            p.density<highest_densities_[k],
-                      p.vx * p.vx + p.vy * p.vy<highest_speeds_[k] * highest_speeds_[k], p.x> outer_.low.x(),
-                      p.y>
-                outer_.low.y(),
-            p.x < outer_.high.x(), p.y < outer_.high.y());
+        int sound = density_rate == density_rate;
+        sound &= p.density > lowest_densities_[k];
+        sound &= p.density < highest_densities_[k];
+        sound &= p.vx * p.vx + p.vy * p.vy < highest_speeds_[k] * highest_speeds_[k];
+        sound &= p.x > outer_.low.x();
+        sound &= p.y > outer_.low.y();
+        sound &= p.x < outer_.high.x();
+        sound &= p.y < outer_.high.y();
+        return sound != 0;
     }
     /// What is wrong with a particle that is not; time and step are left to the caller.
     Instability instability_of(const FluidParticles& fluid, std::size_t particle) const;

@@ -143,7 +143,6 @@ std::optional<Instability> last_kick(Flow& flow, Rates& rates, const Substep& su
     FluidParticles& fluid = flow.fluid;
     last_kick_of_bodies(flow, substep);
     std::vector<Met>& met = rates.met();
-    rates.sweep(0, true);
     rates.clusters().for_each([&](const Cluster& cluster, int thread) {
         const auto phase = static_cast<std::size_t>(cluster.phase);
         const double half = 0.5 * substep.dt;

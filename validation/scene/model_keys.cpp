@@ -143,7 +143,8 @@ ModelKey substeps(const char* key, int Model::*member, const char* meaning) {
 }
 
 ModelKey skin_row() {
-    ModelKey row{"execution", "skin", "skin of the neighbour list over the smoothing length; 0: chosen as the run goes", "-", ""};
+    ModelKey row{"execution", "skin",
+                 "skin of the neighbour list over the smoothing length; 0: chosen as the run goes", "-", ""};
     row.high = 1;
     row.default_note = "0";
     row.get = [](const Scene& s) -> KeyValue { return s.execution.skin; };
